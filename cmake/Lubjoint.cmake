@@ -1,0 +1,18 @@
+# Build settings that every target of the project shares.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+# Warnings of our own code, and no contraction: golden data and tests compare bits.
+add_library(lubjoint_build_flags INTERFACE)
+target_compile_options(lubjoint_build_flags INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+  $<$<BOOL:${LUBJOINT_WERROR}>:-Werror>)
+
+# lubjoint_library(NAME SOURCES...): a static library of the project, NAME reachable as lubjoint::NAME.
+function(lubjoint_library name)
+  add_library(lubjoint_${name} STATIC ${ARGN})
+  add_library(lubjoint::${name} ALIAS lubjoint_${name})
+  target_link_libraries(lubjoint_${name} PRIVATE lubjoint_build_flags)
+endfunction()

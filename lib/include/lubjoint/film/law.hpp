@@ -1,0 +1,124 @@
+/// What a film force law is, and how one is evaluated.
+///
+/// A law gives F/S, the force on the journal over the force scale, as a function of the film state alone. It is
+/// homogeneous of degree one in u and turns with (ê, u). Two ways to write one:
+///   vector law:  template <class T> static Vector2<T> force_ratio(const FilmState<T>&);
+///   polar law:   template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);
+/// A vector law needs no direction of e and stays smooth at e = 0. The half films depend on that direction and on the
+/// sign of a; they are polar laws. Neither ever sees u = 0: the functions below answer that.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "lubjoint/film/bearing.hpp"
+#include "lubjoint/film/extent.hpp"
+#include "lubjoint/film/film_state.hpp"
+
+namespace lubjoint {
+
+/// Radial (along e) and tangential (90° counter-clockwise of it) components of a force on the journal.
+template <class T>
+struct PolarForce {
+  T radial;
+  T tangential;
+};
+
+template <class Law>
+concept PolarLaw = requires(const PolarFilmState<double>& state) {
+  { Law::force_ratio(state, HalfFilmSide::converging) } -> std::same_as<PolarForce<double>>;
+};
+
+template <class Law>
+concept VectorLaw = requires(const FilmState<double>& state) {
+  { Law::force_ratio(state) } -> std::same_as<Vector2<double>>;
+};
+
+template <class Law>
+concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
+  { Law::name } -> std::convertible_to<std::string_view>;
+  { Law::limit } -> std::convertible_to<BearingLimit>;
+  { Law::extent } -> std::convertible_to<FilmExtent>;
+};
+
+namespace detail {
+
+template <PolarLaw Law, class T>
+Vector2<T> polar_law_in_plane(const FilmState<T>& film, HalfFilmSide side) {
+  const PolarView<T> view = polar_view(film);
+  const PolarForce<T> ratio = Law::force_ratio(view.state, side);
+  const Vector2<T> t = perpendicular(view.radial);
+  return Vector2<T>(T(ratio.radial * view.radial.x() + ratio.tangential * t.x()),
+                    T(ratio.radial * view.radial.y() + ratio.tangential * t.y()));
+}
+
+template <FilmLaw Law, class T>
+Vector2<T> force_ratio_in_motion(const FilmState<T>& film) {
+  if constexpr (PolarLaw<Law>) {
+    return polar_law_in_plane<Law>(film, side_of(film));
+  } else {
+    return Law::force_ratio(film);
+  }
+}
+
+/// Value zero, derivatives J du: every law is homogeneous in u, so at u = 0 its derivative in ê vanishes, and the one
+/// in u is a choice of direction, taken as the limit b → 0, a → 0+ (at ê = 0: u → 0 along x, where every law is
+/// isotropic or, for long_half_eq5, linear).
+template <FilmLaw Law, class T>
+Vector2<T> force_ratio_at_rest(const FilmState<T>& film) {
+  Vector2<T> ratio(T(0), T(0));
+  if constexpr (ScalarTraits<T>::carries_derivatives) {
+    using R = RealOf<T>;
+    using Inner = Eigen::AutoDiffScalar<Vector2<R>>;
+    const Vector2<R> e_hat(value_of(film.eccentricity.x()), value_of(film.eccentricity.y()));
+    Vector2<R> along(R(1), R(0));
+    if (!is_zero(e_hat)) along = -perpendicular(direction(e_hat));
+    const Vector2<Inner> u(Inner(along.x(), 2, 0), Inner(along.y(), 2, 1));
+    const Vector2<Inner> e_fixed(Inner(e_hat.x(), Vector2<R>::Zero()), Inner(e_hat.y(), Vector2<R>::Zero()));
+    const Inner q_fixed(value_of(film.q), Vector2<R>::Zero());
+    const Vector2<Inner> slope = force_ratio_in_motion<Law>(FilmState<Inner>(e_fixed, u, q_fixed));
+    ratio.x() = slope.x().derivatives().x() * film.velocity.x() + slope.x().derivatives().y() * film.velocity.y();
+    ratio.y() = slope.y().derivatives().x() * film.velocity.x() + slope.y().derivatives().y() * film.velocity.y();
+  }
+  return ratio;
+}
+
+}  // namespace detail
+
+/// F/S of a law at any state of the film, u = 0 included [1/s].
+template <FilmLaw Law, class T>
+Vector2<T> force_ratio(const FilmState<T>& film) {
+  if (is_zero(film.velocity)) return detail::force_ratio_at_rest<Law>(film);
+  return detail::force_ratio_in_motion<Law>(film);
+}
+
+/// F/S of a law in polar components [1/s]; the radial direction is the caller's, also at ε = 0.
+template <FilmLaw Law, class T>
+PolarForce<T> polar_force_ratio(const PolarFilmState<T>& state) {
+  if constexpr (PolarLaw<Law>) {
+    return Law::force_ratio(state, side_of(state));
+  } else {
+    const Vector2<T> ratio = force_ratio<Law>(state.in_own_frame());
+    return {ratio.x(), ratio.y()};
+  }
+}
+
+/// Force of the film on the journal [N], in the frame of the state.
+/// @param film  0 ≤ ε < 1 (checked where the state is made)
+template <FilmLaw Law, class T>
+Vector2<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil, const FilmState<T>& film) {
+  const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+  const Vector2<T> ratio = force_ratio<Law>(film);
+  return Vector2<T>(T(scale * ratio.x()), T(scale * ratio.y()));
+}
+
+/// Force of the film on the journal in polar components [N].
+template <FilmLaw Law, class T>
+PolarForce<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
+                         const PolarFilmState<T>& state) {
+  const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+  const PolarForce<T> ratio = polar_force_ratio<Law>(state);
+  return {T(scale * ratio.radial), T(scale * ratio.tangential)};
+}
+
+}  // namespace lubjoint

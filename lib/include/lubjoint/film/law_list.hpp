@@ -1,0 +1,76 @@
+/// The eight laws, by type and by name.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "lubjoint/film/long_dynamic.hpp"
+#include "lubjoint/film/long_full.hpp"
+#include "lubjoint/film/long_half.hpp"
+#include "lubjoint/film/long_half_eq5.hpp"
+#include "lubjoint/film/pinkus_sternlicht.hpp"
+#include "lubjoint/film/short_dynamic.hpp"
+#include "lubjoint/film/short_full.hpp"
+#include "lubjoint/film/short_half.hpp"
+
+namespace lubjoint {
+
+using FilmLaws =
+    std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
+
+/// Names of the laws, in the order of FilmLaws.
+inline constexpr auto film_law_names = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
+  return std::array<std::string_view, sizeof...(Law)>{Law::name...};
+}(std::type_identity<FilmLaws>{});
+
+/// Calls visitor.template operator()<Law>() for every law.
+template <class Visitor>
+void for_each_film_law(Visitor&& visitor) {
+  [&]<class... Law>(std::type_identity<std::tuple<Law...>>) {
+    (visitor.template operator()<Law>(), ...);
+  }(std::type_identity<FilmLaws>{});
+}
+
+/// The laws' names as a sentence lists them.
+inline std::string listed_film_laws() {
+  std::string list;
+  for (const std::string_view name : film_law_names) {
+    if (!list.empty()) list += ", ";
+    list += name;
+  }
+  return list;
+}
+
+/// @throws std::invalid_argument that lists the laws there are
+inline void require_film_law(std::string_view name) {
+  for (const std::string_view known : film_law_names) {
+    if (known == name) return;
+  }
+  throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws());
+}
+
+/// Returns visitor.template operator()<Law>() for the law of that name: the one place where a name becomes a type.
+/// @throws std::invalid_argument that lists the laws there are
+template <class Visitor>
+auto with_film_law(std::string_view name, Visitor&& visitor) {
+  using Result = decltype(visitor.template operator()<ShortFull>());
+  require_film_law(name);
+  if constexpr (std::is_void_v<Result>) {
+    for_each_film_law([&]<class Law>() {
+      if (Law::name == name) visitor.template operator()<Law>();
+    });
+  } else {
+    std::optional<Result> result;
+    for_each_film_law([&]<class Law>() {
+      if (Law::name == name) result.emplace(visitor.template operator()<Law>());
+    });
+    return std::move(*result);
+  }
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "lubjoint/film/law.hpp"
+
+namespace lubjoint {
+
+/// Film force of the infinitely long bearing, half (Gümbel) film with p(0) = p(π) = 0, mirrored where a < 0.
+///   F_r = −S [12ε|a|/(Dq) + (6b/q^{3/2})(π − 16/(πD))]
+///   F_t =  S [6πa/(D q^{1/2}) + sgn(a) 24εb/(Dq)],   S = μLR³/c²,   D = 2 + ε²,   sgn(0) = +1
+/// Source: Flores et al. (2009), eqs. 12 and 13, printed for a ≥ 0. F_t jumps at a = 0 where εb ≠ 0. At e = 0 the
+/// force on a radial velocity, −6(π − 8/π)Su, is not the one on a tangential velocity, −6πSu.
+/// Accuracy: data/accuracy.csv
+struct LongHalf {
+  static constexpr std::string_view name = "long_half";
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;
+  static constexpr FilmExtent extent = FilmExtent::half;
+
+  template <class T>
+  static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide side) {
+    using std::sqrt;
+    const T& epsilon = state.eccentricity_ratio;
+    const T& a = state.slip_rate;
+    const T& b = state.squeeze_rate;
+    const T& q = state.q;
+    const T root = sqrt(q);
+    const T d = 2 + epsilon * epsilon;
+    const T dq = d * q;
+    const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
+    const T squeeze = pi<T>() - 16 / (pi<T>() * d);
+    const T radial = -(12 * film_side * (epsilon * a) / dq + 6 * b * squeeze / (q * root));
+    const T tangential = 6 * pi<T>() * a / (d * root) + 24 * film_side * (epsilon * b) / dq;
+    return {radial, tangential};
+  }
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "lubjoint/film/law.hpp"
+
+namespace lubjoint {
+
+/// Film force of the infinitely long bearing, the full film's pressure (eq. 5, p(0) = 0) cut off at θ = π, where it
+/// is not zero; mirrored where a < 0.
+///   F_r = −S [12ε|a|/(Dq) + 6πb/q^{3/2}]
+///   F_t =  S [6πa/(D q^{1/2}) + sgn(a) 24b/((1+ε)q)],   S = μLR³/c²,   D = 2 + ε²,   sgn(0) = +1
+/// A law of its own so that its difference from the published half film can be shown: it answers a radial velocity
+/// at e = 0 with a tangential force.
+/// Accuracy: data/accuracy.csv
+struct LongHalfEq5 {
+  static constexpr std::string_view name = "long_half_eq5";
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;
+  static constexpr FilmExtent extent = FilmExtent::half;
+
+  template <class T>
+  static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide side) {
+    using std::sqrt;
+    const T& epsilon = state.eccentricity_ratio;
+    const T& a = state.slip_rate;
+    const T& b = state.squeeze_rate;
+    const T& q = state.q;
+    const T root = sqrt(q);
+    const T d = 2 + epsilon * epsilon;
+    const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
+    const T radial = -(12 * film_side * (epsilon * a) / (d * q) + 6 * pi<T>() * b / (q * root));
+    const T tangential = 6 * pi<T>() * a / (d * root) + 24 * film_side * b / ((1 + epsilon) * q);
+    return {radial, tangential};
+  }
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "lubjoint/film/law.hpp"
+
+namespace lubjoint {
+
+/// Film force of the infinitely short bearing, half (Gümbel) film, mirrored where a < 0.
+///   F_r = −(S/2) [2ε|a|/q² + πb(1+2ε²)/q^{5/2}]
+///   F_t =  (S/2) [πa/(2q^{3/2}) + sgn(a) 4εb/q²],   S = μRL³/c²,   sgn(0) = +1
+/// Source: Flores et al. (2009), eqs. 8 and 9, printed for a ≥ 0. F_t jumps at a = 0 where εb ≠ 0.
+/// Accuracy: data/accuracy.csv
+struct ShortHalf {
+  static constexpr std::string_view name = "short_half";
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;
+  static constexpr FilmExtent extent = FilmExtent::half;
+
+  template <class T>
+  static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide side) {
+    using std::sqrt;
+    const T& epsilon = state.eccentricity_ratio;
+    const T& a = state.slip_rate;
+    const T& b = state.squeeze_rate;
+    const T& q = state.q;
+    const T root = sqrt(q);
+    const T q_squared = q * q;
+    const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
+    const T growth = 1 + 2 * epsilon * epsilon;
+    const T radial = -(film_side * (epsilon * a) / q_squared + pi<T>() * b * growth / (2 * q_squared * root));
+    const T tangential = pi<T>() * a / (4 * q * root) + film_side * (2 * epsilon * b) / q_squared;
+    return {radial, tangential};
+  }
+};
+
+}  // namespace lubjoint
