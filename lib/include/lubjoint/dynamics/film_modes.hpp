@@ -1,0 +1,149 @@
+/// Smooth pieces of a free journal's motion.
+///
+/// A law that is continuous has one. A half film jumps at a = 0, and its motion has three kinds of piece: the film on
+/// one side, on the other, and sliding, where both sides push the journal back to a = 0 and the tangential force is
+/// whatever keeps it there (Filippov). Every piece is integrated by itself and ends at an event; nothing is smoothed.
+///
+/// A mode has: dimension; rate(y, dydt) on any scalar, with the time; journal(t, y), the state ê, w that it stands for;
+/// force(t, y); and margins(t, y), which are positive while the mode lasts.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "lubjoint/multibody/free_journal.hpp"
+
+namespace lubjoint {
+
+/// The whole motion of a continuous law.
+template <FilmLaw Law>
+class SmoothMode {
+ public:
+  static constexpr std::size_t dimension = 4;
+  static constexpr std::size_t margin_count = 0;
+
+  explicit SmoothMode(const FreeJournal<Law>& journal) : journal_(journal) {}
+
+  template <class T>
+  void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
+    journal_.rate(y, dydt);
+  }
+  JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
+  Vector2<double> force(double, const std::array<double, 4>& y) const { return journal_.force(y); }
+  std::array<double, 0> margins(double, const std::array<double, 4>&) const { return {}; }
+
+ private:
+  const FreeJournal<Law>& journal_;
+};
+
+/// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
+template <PolarLaw Law>
+class SidedMode {
+ public:
+  static constexpr std::size_t dimension = 4;
+  static constexpr std::size_t margin_count = 1;
+
+  SidedMode(const FreeJournal<Law>& journal, HalfFilmSide side) : journal_(journal), side_(side) {}
+
+  template <class T>
+  void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
+    journal_.rate(y, dydt, side_);
+  }
+  JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
+  Vector2<double> force(double, const std::array<double, 4>& y) const {
+    return journal_.joint().force(journal_.film(y), side_);
+  }
+  /// −(ê × u)/(|ê||u|) on the converging side, where a > 0: the sine of the angle between ê and u.
+  std::array<double, 1> margins(double, const std::array<double, 4>& y) const {
+    const FilmState<double> film = journal_.film(y);
+    if (is_zero(film.eccentricity) || is_zero(film.velocity)) return {0.0};
+    const double sine = cross(direction(film.eccentricity), direction(film.velocity));
+    return {side_ == HalfFilmSide::converging ? -sine : sine};
+  }
+
+ private:
+  const FreeJournal<Law>& journal_;
+  HalfFilmSide side_;
+};
+
+/// Sliding on a = 0. There u is parallel to ê, so the line of centres turns with the mean spin ω̄ = ½(ω_J + ω_B):
+///   e = c ρ n(t),  n(t) at the angle γ₀ + ω̄(t − t₀),  ρ̈ = ω̄²ρ + (F + W)·n/(m c),
+/// two states ρ and β = ρ̇ in place of four. Staying on a = 0 takes the tangential force Φ = 2 m c ω̄ β − W·n⊥; the
+/// film can give anything in [−X, X], X its tangential force on the converging side. It ends where |Φ| exceeds X.
+template <PolarLaw Law>
+class SlidingMode {
+ public:
+  static constexpr std::size_t dimension = 2;
+  static constexpr std::size_t margin_count = 2;
+
+  SlidingMode(const FreeJournal<Law>& journal, double t_start, const Vector2<double>& line)
+      : journal_(journal), t_start_(t_start), line_(line) {}
+
+  template <class T>
+  void rate(const std::array<T, 2>& y, std::array<T, 2>& dydt, double t) const {
+    const double spin = journal_.drive().mean_spin();
+    const T film = radial_force(y);
+    const double load = dot(journal_.drive().load, line_at(t));
+    dydt[0] = y[1];
+    dydt[1] = spin * spin * y[0] + (film + load) / journal_.inertia();
+  }
+
+  JournalState<double> journal(double t, const std::array<double, 2>& y) const {
+    const Vector2<double> n = line_at(t);
+    const double across = journal_.drive().mean_spin() * y[0];
+    return {y[0] * n.x(), y[0] * n.y(), y[1] * n.x() - across * n.y(), y[1] * n.y() + across * n.x()};
+  }
+
+  Vector2<double> force(double t, const std::array<double, 2>& y) const {
+    const Vector2<double> n = line_at(t);
+    return Vector2<double>(radial_force(y) * n + tangential_force(t, y) * perpendicular(n));
+  }
+
+  /// Φ, the tangential force that keeps a = 0 [N].
+  double tangential_force(double t, const std::array<double, 2>& y) const {
+    const JournalDrive<double>& drive = journal_.drive();
+    return 2 * journal_.inertia() * drive.mean_spin() * y[1] - dot(drive.load, perpendicular(line_at(t)));
+  }
+
+  /// X, the half film's tangential force on the converging side of a = 0 [N], along n⊥.
+  double tangential_reach(const std::array<double, 2>& y) const {
+    return journal_.joint().force_scale() * ratio(y).tangential;
+  }
+
+  /// X − Φ and X + Φ, over the load that the drive puts on the journal.
+  std::array<double, 2> margins(double t, const std::array<double, 2>& y) const {
+    const double reach = tangential_reach(y);
+    const double needed = tangential_force(t, y);
+    return {reach - needed, reach + needed};
+  }
+
+  Vector2<double> line_at(double t) const {
+    const double angle = journal_.drive().mean_spin() * (t - t_start_);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return Vector2<double>(c * line_.x() - s * line_.y(), s * line_.x() + c * line_.y());
+  }
+
+ private:
+  /// The law at a = 0 on the converging side, in the frame of n: ρ < 0 is the journal beyond the centre.
+  template <class T>
+  PolarForce<T> ratio(const std::array<T, 2>& y) const {
+    const bool beyond = value_of(y[0]) < 0;
+    const T epsilon = beyond ? T(-y[0]) : y[0];
+    const T b = beyond ? T(-y[1]) : y[1];
+    const PolarForce<T> f = Law::force_ratio(PolarFilmState<T>(epsilon, T(0), b), HalfFilmSide::converging);
+    // Seen along n both components change sign beyond the centre; the reach X belongs to either sign of its side.
+    return {beyond ? T(-f.radial) : f.radial, f.tangential};
+  }
+
+  template <class T>
+  T radial_force(const std::array<T, 2>& y) const {
+    return T(journal_.joint().force_scale() * ratio(y).radial);
+  }
+
+  const FreeJournal<Law>& journal_;
+  double t_start_;
+  Vector2<double> line_;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,30 @@
+/// How a run ended, and what it cost.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace lubjoint {
+
+enum class RunStatus { finished, stopped };
+
+struct RunOutcome {
+  RunStatus status = RunStatus::finished;
+  std::string message;  ///< why a run stopped: time, joint, ε, and what to change; empty if it finished
+  double t_end = 0;     ///< [s]
+  std::size_t steps = 0;
+  std::size_t rejected_steps = 0;
+  std::size_t rhs_evaluations = 0;
+  std::size_t mode_changes = 0;  ///< events at which a half film changed its mode
+};
+
+/// Tolerances and limits of a run.
+struct RunSettings {
+  double duration = 1;  ///< [s]
+  double relative_tolerance = 1e-8;
+  double absolute_tolerance = 1e-8;  ///< of positions, in clearances
+  double output_interval = 1e-3;     ///< [s]
+  std::size_t max_steps = 20'000'000;
+};
+
+}  // namespace lubjoint
