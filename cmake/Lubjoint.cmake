@@ -8,6 +8,7 @@ endif()
 add_library(lubjoint_build_flags INTERFACE)
 target_compile_options(lubjoint_build_flags INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of its own std::string (bug 105329)
   $<$<BOOL:${LUBJOINT_WERROR}>:-Werror>)
 
 # lubjoint_library(NAME SOURCES...): a static library of the project, NAME reachable as lubjoint::NAME.

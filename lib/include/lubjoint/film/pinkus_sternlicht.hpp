@@ -8,7 +8,7 @@ namespace lubjoint {
 ///   F_r = −(6S/(D q^{3/2})) [4εK + πDbφ],   F_t = (6πSa/(D q^{1/2})) φ,   S = μLR³/c²,   D = 2 + ε²
 ///   K = √(q (a²/4 + b²)),   φ = (K + 3B)/(K + 3B/2) for b ≥ 0, K/(K + 3B/2) for b < 0,   B = ε|b|
 /// In vectors, with s = ê·u, K = √q|u|, t = K + 3|s|/2, n = K + 3 max(s, 0):
-///   F = −(6S/(D q^{3/2} t)) [(4Kt + 3πns) ê + 2πnq u]
+///   F = −(6S/(D q^{3/2})) [(4K + 3πφs) ê + 2πφq u],  φ = n/t
 /// Source: Flores et al. (2009), eqs. 14 to 18, multiplied through by ε̇ so that nothing is singular at ε̇ = 0 or
 /// ε = 0; for ε̇ < 0 the printed bracket has the wrong sign. Once continuously differentiable across b = 0. An
 /// approximation of the long dynamic film, not the integral of any pressure field.
@@ -30,10 +30,11 @@ struct PinkusSternlicht {
     const bool closing = value_of(s) >= 0;
     const T t = closing ? T(k + 1.5 * s) : T(k - 1.5 * s);
     const T n = closing ? T(k + 3 * s) : k;
-    const T factor = -6 / (d * film.q * root * t);
-    const T along_e = 4 * k * t + 3 * pi<T>() * n * s;
-    const T along_u = 2 * pi<T>() * n * film.q;
-    return Vector2<T>(T(factor * (along_e * e.x() + along_u * u.x())), T(factor * (along_e * e.y() + along_u * u.y())));
+    const T phi = n / t;  // by itself: products of two rates would underflow for slow motions
+    const T factor = -6 / (d * film.q * root);
+    const T along_e = factor * (4 * k + 3 * pi<T>() * phi * s);
+    const T along_u = factor * (2 * pi<T>() * phi * film.q);
+    return Vector2<T>(T(along_e * e.x() + along_u * u.x()), T(along_e * e.y() + along_u * u.y()));
   }
 };
 

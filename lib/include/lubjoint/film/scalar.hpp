@@ -50,9 +50,11 @@ struct ExtendedFor<double> {
   using Type = long double;
 };
 
-/// 1 − x², without cancellation: 1 − x is exact for x ≥ ½.
+/// 1 − x², without cancellation. Floating point: one fused multiply-add, correctly rounded. Other scalars: the
+/// product of 1 − x, exact for x ≥ ½, and 1 + x.
 template <class T>
 T one_minus_square(const T& x) {
+  if constexpr (std::is_floating_point_v<T>) return std::fma(-x, x, T(1));
   const T minus = 1 - x;
   const T plus = 1 + x;
   return minus * plus;

@@ -1,0 +1,21 @@
+/// Scenes of one free journal in a fixed bearing.
+#pragma once
+
+#include "lubjoint/multibody/free_journal.hpp"
+#include "lubjoint/scene/scene.hpp"
+
+namespace lubjoint {
+
+/// The parts of a scene with one body, whose journal runs in a bearing on the ground.
+struct JournalScene {
+  Bearing<double> bearing;
+  Lubricant<double> oil;
+  JournalDrive<double> drive;
+  JournalState<double> start;
+};
+
+/// @throws SceneError if the scene is no free journal, naming what it has too much or too little of, or if the journal
+/// starts outside its bearing
+JournalScene journal_scene(const Scene& scene);
+
+}  // namespace lubjoint

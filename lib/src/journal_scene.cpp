@@ -1,0 +1,41 @@
+#include "lubjoint/scene/journal_scene.hpp"
+
+#include <sstream>
+
+#include "lubjoint/scene/scene_file.hpp"
+
+namespace lubjoint {
+
+JournalScene journal_scene(const Scene& scene) {
+  const auto refuse = [&](const std::string& what) { throw SceneError(scene.file + ": " + what); };
+  if (scene.bodies.size() != 1) {
+    refuse("bodies has " + std::to_string(scene.bodies.size()) +
+           " entries; allowed is one, a journal that floats in a bearing on the ground");
+  }
+  if (scene.joints.size() != 1) {
+    refuse("joints has " + std::to_string(scene.joints.size()) + " entries; allowed is one, the journal's bearing");
+  }
+  const SceneBody& body = scene.bodies.front();
+  const SceneJoint& joint = scene.joints.front();
+  if (joint.bearing.body) {
+    refuse("joints[0].bearing.body is \"" + body.name + "\"; allowed is \"ground\"");
+  }
+  if (!is_zero(joint.journal.point)) {
+    refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body");
+  }
+  Vector2<double> load = body.mass * scene.gravity;
+  for (const SceneLoad& each : scene.loads) load += each.force;
+  const Vector2<double> e = (body.position - joint.bearing.point) / joint.clearance;
+  if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) {
+    std::ostringstream message;
+    message << "bodies[0].position puts journal \"" << body.name << "\" at eccentricity ratio " << e.norm()
+            << " in joint \"" << joint.name << "\"; allowed are eccentricity ratios in [0, 1)";
+    refuse(message.str());
+  }
+  return {Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
+          Lubricant<double>(joint.viscosity),
+          {body.mass, load, 0.0, body.spin},
+          {e.x(), e.y(), body.velocity.x() / joint.clearance, body.velocity.y() / joint.clearance}};
+}
+
+}  // namespace lubjoint

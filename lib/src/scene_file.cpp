@@ -1,0 +1,178 @@
+#include "lubjoint/scene/scene_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "lubjoint/dynamics/steppers.hpp"
+#include "lubjoint/film/law_list.hpp"
+#include "table_reader.hpp"
+
+namespace lubjoint {
+
+namespace {
+
+std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
+
+template <class Range>
+std::string listed(const Range& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+template <class Items>
+bool is_taken(const Items& items, const std::string& name) {
+  return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+}
+
+SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
+  SceneBody body;
+  body.name = table.text("name");
+  if (body.name == "ground" || is_taken(others, body.name)) {
+    table.refuse("name", in_quotes(body.name), "a name that no other body has; \"ground\" is what never moves");
+  }
+  body.mass = table.number("mass", Allowed::positive, "kg");
+  body.inertia = table.number("inertia", Allowed::positive, "kg m^2");
+  body.position = table.vector_or("position", body.position, "m");
+  body.angle = table.number_or("angle", 0, Allowed::any, "rad");
+  body.velocity = table.vector_or("velocity", body.velocity, "m/s");
+  body.spin = table.number_or("spin", 0, Allowed::any, "rad/s");
+  table.finish();
+  return body;
+}
+
+std::optional<std::size_t> read_body_name(TableReader& table, const Scene& scene, bool ground_is_allowed) {
+  const std::string name = table.text("body");
+  if (ground_is_allowed && name == "ground") return std::nullopt;
+  const auto body =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto& b) { return b.name == name; });
+  if (body == scene.bodies.end()) {
+    std::string allowed = "the name of a body:";
+    for (const SceneBody& known : scene.bodies) allowed += " " + in_quotes(known.name);
+    if (ground_is_allowed) allowed += " or \"ground\"";
+    table.refuse("body", in_quotes(name), allowed);
+  }
+  return static_cast<std::size_t>(body - scene.bodies.begin());
+}
+
+SceneAnchor read_anchor(TableReader table, const Scene& scene) {
+  SceneAnchor anchor;
+  anchor.body = read_body_name(table, scene, true);
+  anchor.point = table.vector_or("point", anchor.point, "m");
+  table.finish();
+  return anchor;
+}
+
+SceneLoad read_load(TableReader table, const Scene& scene) {
+  SceneLoad load;
+  load.body = *read_body_name(table, scene, false);
+  load.force = table.vector("force", "N");
+  table.finish();
+  return load;
+}
+
+SceneJoint read_joint(TableReader table, const Scene& scene) {
+  SceneJoint joint;
+  joint.name = table.text("name");
+  if (is_taken(scene.joints, joint.name)) {
+    table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
+  }
+  joint.film = table.text("film");
+  if (std::find(film_law_names.begin(), film_law_names.end(), joint.film) == film_law_names.end()) {
+    table.refuse("film", in_quotes(joint.film), "one of " + listed_film_laws());
+  }
+  joint.viscosity = table.number("viscosity", Allowed::positive, "Pa s");
+  joint.length = table.number("length", Allowed::positive, "m");
+  joint.journal_radius = table.number("journal_radius", Allowed::positive, "m");
+  joint.clearance = table.number("clearance", Allowed::positive, "m");
+  if (joint.clearance >= joint.journal_radius) {
+    std::ostringstream given;
+    given << joint.clearance << " m";
+    std::ostringstream allowed;
+    allowed << "less than journal_radius, " << joint.journal_radius << " m";
+    table.refuse("clearance", given.str(), allowed.str());
+  }
+  joint.bearing = read_anchor(table.table("bearing"), scene);
+  joint.journal = read_anchor(table.table("journal"), scene);
+  if (joint.bearing.body == joint.journal.body) {
+    table.refuse("journal", "on the same body as the bearing", "another body");
+  }
+  table.finish();
+  return joint;
+}
+
+void read_integrator(TableReader table, Scene& scene) {
+  scene.integrator = table.text_or("name", scene.integrator);
+  if (std::find(integrator_names.begin(), integrator_names.end(), scene.integrator) == integrator_names.end()) {
+    table.refuse("name", in_quotes(scene.integrator), "one of " + listed(integrator_names));
+  }
+  RunSettings& run = scene.run;
+  run.relative_tolerance = table.number_or("relative_tolerance", run.relative_tolerance, Allowed::positive, "-");
+  if (run.relative_tolerance >= 1 || run.relative_tolerance < 1e-14) {
+    std::ostringstream given;
+    given << run.relative_tolerance;
+    table.refuse("relative_tolerance", given.str(), "a number from 1e-14 to below 1");
+  }
+  run.absolute_tolerance =
+      table.number_or("absolute_tolerance", run.relative_tolerance, Allowed::positive, "clearances");
+  const double steps = table.number_or("max_steps", static_cast<double>(run.max_steps), Allowed::positive, "-");
+  if (steps < 1 || steps > 1e12 || steps != std::floor(steps)) {
+    std::ostringstream given;
+    given << steps;
+    table.refuse("max_steps", given.str(), "a whole number from 1 to 1e12");
+  }
+  run.max_steps = static_cast<std::size_t>(steps);
+  table.finish();
+}
+
+void read_output(TableReader table, Scene& scene) {
+  scene.run.output_interval = table.number("interval", Allowed::positive, "s");
+  // A file of more rows than this is a slip of the pen, not a request.
+  if (scene.run.duration / scene.run.output_interval > 1e7) {
+    std::ostringstream given;
+    given << scene.run.output_interval << " s";
+    table.refuse("interval", given.str(), "at least a ten-millionth of the duration");
+  }
+  table.finish();
+}
+
+Scene read_scene(TableReader root, const std::string& file) {
+  Scene scene;
+  scene.file = file;
+  scene.name = root.text("name");
+  scene.gravity = root.vector_or("gravity", scene.gravity, "m/s^2");
+  scene.run.duration = root.number("duration", Allowed::positive, "s");
+  for (const TableReader& table : root.tables("bodies")) scene.bodies.push_back(read_body(table, scene.bodies));
+  if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
+  for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_load(table, scene));
+  for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_joint(table, scene));
+  scene.run.output_interval = scene.run.duration / 1000;
+  if (root.has("integrator")) read_integrator(root.table("integrator"), scene);
+  if (root.has("output")) read_output(root.table("output"), scene);
+  root.finish();
+  return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw SceneError(name + ": is a folder; allowed is a scene file (TOML)");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
+  try {
+    const toml::table table = toml::parse(text.str(), name);
+    return read_scene(TableReader(table, name, ""), name);
+  } catch (const toml::parse_error& failure) {
+    throw SceneError(name + ":" + std::to_string(failure.source().begin.line) +
+                     ": not valid TOML: " + std::string(failure.description()));
+  }
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,18 @@
+#include "lubjoint/scene/simulate.hpp"
+
+#include "lubjoint/film/law_list.hpp"
+
+namespace lubjoint {
+
+namespace detail {
+template <FilmLaw Law>
+JournalTrajectory simulate_journal_with(const Scene& scene);  // one file each, made from journal_simulation.cpp.in
+}
+
+JournalTrajectory simulate_journal(const Scene& scene) {
+  if (scene.joints.empty()) throw std::invalid_argument("a scene without joints has no journal to simulate");
+  return with_film_law(scene.joints.front().film,
+                       [&]<class Law>() { return detail::simulate_journal_with<Law>(scene); });
+}
+
+}  // namespace lubjoint

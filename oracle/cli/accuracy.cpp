@@ -1,0 +1,46 @@
+#include "oracle/reports/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "lubjoint/film/law_list.hpp"
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/files.hpp"
+
+namespace lubjoint::cli {
+
+void add_accuracy(CLI::App& app, Action& action) {
+  struct Options {
+    std::optional<std::string> out;
+    std::size_t directions = 400;
+    std::uint64_t seed = 1;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("accuracy", "Rounding errors of every law by eccentricity ratio, against 100 digits");
+  command->add_option("--out", options->out, "CSV file to write, all rows");
+  command->add_option("--directions", options->directions, "Random directions of motion at each ratio")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
+  command->add_option("--seed", options->seed, "Seed of the directions");
+  command->callback([options, &action] {
+    action = [options] {
+      const auto rows = reports::measure_accuracy(options->directions, options->seed);
+      if (options->out) reports::write_file(*options->out, reports::accuracy_csv(rows));
+      std::cout
+          << "Largest error of a component, 1 - e from 1 down to 1e-12. ulp: of the sum of the terms' magnitudes\n"
+             "(dynamic films: of |F|).\n";
+      std::cout << fmt::format("{:<20}{:>10}{:>16}{:>16}{:>16}\n", "law", "ulp", "of |F| to 1e-6", "to 1e-9",
+                               "to 1e-12");
+      for (const std::string_view name : film_law_names) {
+        const std::string law(name);
+        std::cout << fmt::format("{:<20}{:>10.2f}{:>16.2e}{:>16.2e}{:>16.2e}\n", law, reports::worst_ulp(rows, law, 0),
+                                 reports::worst_of_force(rows, law, 0.99e-6),
+                                 reports::worst_of_force(rows, law, 0.99e-9), reports::worst_of_force(rows, law, 0));
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

@@ -1,0 +1,29 @@
+/// What every file of this folder offers: one command, added to the program's parser.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace lubjoint::cli {
+
+/// Set by the command that the user named; returns the exit status.
+using Action = std::function<int()>;
+
+void add_simulate(CLI::App& app, Action& action);
+void add_force(CLI::App& app, Action& action);
+void add_equilibrium(CLI::App& app, Action& action);
+void add_reproduce(CLI::App& app, Action& action);
+void add_accuracy(CLI::App& app, Action& action);
+
+/// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed
+inline void require_option(const std::string& name, double given, bool allowed, const std::string& words) {
+  if (std::isfinite(given) && allowed) return;
+  std::ostringstream message;
+  message << name << " is " << given << "; allowed is " << words;
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace lubjoint::cli

@@ -1,0 +1,33 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "oracle/cli/scene_options.hpp"
+#include "oracle/reports/journal_report.hpp"
+
+namespace lubjoint::cli {
+
+void add_equilibrium(CLI::App& app, Action& action) {
+  struct Options : SceneOptions {
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("equilibrium", "Steady state of a journal, its stiffness, damping and eigenvalues");
+  options->add_file(*command);
+  options->add_law(*command);
+  command->add_flag("--json", options->json, "One JSON object");
+  command->callback([options, &action] {
+    action = [options] {
+      const Scene scene = options->load();
+      const JournalEquilibrium rest = journal_equilibrium(scene);
+      if (options->json) {
+        std::cout << reports::equilibrium_json(scene, rest).dump(2) << '\n';
+      } else {
+        std::cout << reports::equilibrium_text(scene, rest);
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

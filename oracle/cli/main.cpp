@@ -1,0 +1,30 @@
+// lubjoint COMMAND: the program. Exit status 0: done; 1: the answer is no (a run stopped, a check failed); 2: bad usage
+// or input.
+#include <iostream>
+
+#include "oracle/cli/command.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", LUBJOINT_VERSION);
+  lubjoint::cli::Action action;
+  lubjoint::cli::add_reproduce(app, action);
+  lubjoint::cli::add_simulate(app, action);
+  lubjoint::cli::add_force(app, action);
+  lubjoint::cli::add_equilibrium(app, action);
+  lubjoint::cli::add_accuracy(app, action);
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::Success& wanted) {
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "lubjoint: " << error.what()
+              << "\nlubjoint --help, or lubjoint COMMAND --help, says what is allowed\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "lubjoint: " << error.what() << '\n';
+    return 2;
+  }
+}

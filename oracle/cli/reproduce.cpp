@@ -1,0 +1,34 @@
+#include <iostream>
+
+#include "lubjoint/scene/scene_file.hpp"
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/example_1.hpp"
+#include "oracle/reports/files.hpp"
+
+namespace lubjoint::cli {
+
+void add_reproduce(CLI::App& app, Action& action) {
+  struct Options {
+    std::string out = "out/reproduce";
+    std::string scenes = LUBJOINT_SCENES;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; table and plots");
+  command->add_option("--out", options->out, "Folder for CSV files and plots")->capture_default_str();
+  command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");
+  command->callback([options, &action] {
+    action = [options] {
+      reports::prepare_folder(options->out);
+      const reports::Example1 example =
+          reports::run_example_1(load_scene(std::filesystem::path(options->scenes) / "journal.toml"));
+      std::cout << reports::example_1_table(example);
+      const auto files = reports::write_example_1(example, options->out);
+      std::cerr << files.size() << " files written to " << options->out << ":";
+      for (const std::string& file : files) std::cerr << ' ' << file;
+      std::cerr << '\n';
+      return example.passed() ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

@@ -1,0 +1,54 @@
+/// The options that change a scene on the command line.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "lubjoint/dynamics/steppers.hpp"
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "oracle/cli/command.hpp"
+
+namespace lubjoint::cli {
+
+struct SceneOptions {
+  std::string file;
+  std::optional<std::string> law;
+  std::optional<std::string> integrator;
+  std::optional<double> rtol;
+  std::optional<double> duration;
+
+  void add_file(CLI::App& command) { command.add_option("scene", file, "Scene file (TOML)")->required(); }
+  void add_law(CLI::App& command) { command.add_option("--law", law, "Film law in place of the scene's"); }
+  void add_run(CLI::App& command) {
+    command.add_option("--integrator", integrator, "radau_iia5, dopri5 or fehlberg78");
+    command.add_option("--rtol", rtol, "Relative tolerance; also the absolute one, in clearances");
+    command.add_option("--duration", duration, "Time to simulate [s]");
+  }
+
+  /// The scene, read and changed. @throws SceneError, std::invalid_argument
+  Scene load() const {
+    if (law) require_film_law(*law);
+    if (integrator &&
+        std::find(integrator_names.begin(), integrator_names.end(), *integrator) == integrator_names.end()) {
+      throw std::invalid_argument("--integrator is \"" + *integrator +
+                                  "\"; allowed are radau_iia5, dopri5, fehlberg78");
+    }
+    if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
+    if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
+    Scene scene = load_scene(file);
+    if (law) {
+      for (SceneJoint& joint : scene.joints) joint.film = *law;
+    }
+    if (integrator) scene.integrator = *integrator;
+    if (rtol) scene.run.relative_tolerance = scene.run.absolute_tolerance = *rtol;
+    if (duration) {
+      scene.run.duration = *duration;
+      require_option("--duration", *duration, *duration / scene.run.output_interval <= 1e7,
+                     "at most ten million output intervals of the scene");
+    }
+    return scene;
+  }
+};
+
+}  // namespace lubjoint::cli

@@ -1,0 +1,74 @@
+#include "oracle/reports/files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace lubjoint::reports {
+
+namespace fs = std::filesystem;
+
+namespace {
+fs::path beside(const fs::path& file) {
+  fs::path temporary = file;
+  temporary += ".part-" + std::to_string(::getpid());
+  return temporary;
+}
+}  // namespace
+
+void prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw OutputError("output folder \"" + folder.string() +
+                      "\" can't be made: " + (error ? error.message() : std::string("a file of that name is there")));
+  }
+  const fs::path probe = beside(folder / "probe");
+  std::ofstream stream(probe);
+  const bool writable = static_cast<bool>(stream);
+  stream.close();
+  fs::remove(probe, error);
+  if (!writable) throw OutputError("output folder \"" + folder.string() + "\" is not writable");
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+  const fs::path temporary = beside(file);
+  std::error_code error;
+  {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+    stream.close();
+    if (!stream) {
+      fs::remove(temporary, error);
+      throw OutputError("\"" + file.string() + "\" can't be written");
+    }
+  }
+  fs::rename(temporary, file, error);
+  if (error) {
+    const std::string why = error.message();
+    fs::remove(temporary, error);
+    throw OutputError("\"" + file.string() + "\" can't be written: " + why);
+  }
+}
+
+std::string read_input(const std::string& name) {
+  std::ostringstream text;
+  if (name == "-") {
+    text << std::cin.rdbuf();
+    return text.str();
+  }
+  std::error_code error;
+  std::ifstream stream(name, std::ios::binary);
+  if (fs::is_directory(name, error) || !stream) {
+    throw std::invalid_argument("\"" + name + "\" can't be read; allowed is a file, or - for standard input");
+  }
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::string number(double value) { return fmt::format("{}", value); }
+
+}  // namespace lubjoint::reports

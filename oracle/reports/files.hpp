@@ -1,0 +1,32 @@
+/// Output files: written beside and renamed, so that a reader never sees half of one.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace lubjoint::reports {
+
+/// A place that can't be written: names it and says why.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes a folder if it is not there, and checks that files can be made in it.
+/// @throws OutputError
+void prepare_folder(const std::filesystem::path& folder);
+
+/// Replaces a file by this content, all of it or nothing.
+/// @throws OutputError
+void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// Content of a file, or of standard input for "-".
+/// @throws std::invalid_argument if it can't be read
+std::string read_input(const std::string& name);
+
+/// The shortest decimal form that reads back as the same number, whatever the locale.
+std::string number(double value);
+
+}  // namespace lubjoint::reports

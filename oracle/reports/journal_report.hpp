@@ -1,0 +1,26 @@
+/// What people and programs read about a journal's run: CSV, JSON, a few lines of text.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "lubjoint/scene/equilibrium.hpp"
+#include "lubjoint/scene/simulate.hpp"
+
+namespace lubjoint::reports {
+
+/// Trajectory as CSV: t; of the body x, y, phi, vx, vy, omega; of the joint ex, ey, eccentricity_ratio, attitude (from
+/// the x axis to e), fx, fy, film_thickness. SI units.
+std::string trajectory_csv(const Scene& scene, const JournalTrajectory& run);
+
+/// The summary that scripts read; keys as documented for `simulate`.
+nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory& run);
+std::string summary_text(const Scene& scene, const JournalTrajectory& run);
+
+nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilibrium& rest);
+std::string equilibrium_text(const Scene& scene, const JournalEquilibrium& rest);
+
+/// "decays", "grows" or "neither".
+std::string stability_word(Stability stability);
+
+}  // namespace lubjoint::reports
