@@ -29,8 +29,7 @@ Estimate AdaptiveQuadrature::gauss_kronrod(const Integrand& f, double from, doub
   Estimate answer;
   const int status = gsl_integration_qag(function.get(), from, to, tolerance.absolute, tolerance.relative, limit_,
                                          GSL_INTEG_GAUSS21, workspace_.get(), &answer.value, &answer.error);
-  function.rethrow();
-  return checked(status, {"QAG", from, to, tolerance}, answer);
+  return function.finish(status, {"QAG", from, to, tolerance}, answer);
 }
 
 Estimate AdaptiveQuadrature::singular(const Integrand& f, double from, double to, const Tolerance& tolerance) {
@@ -38,8 +37,7 @@ Estimate AdaptiveQuadrature::singular(const Integrand& f, double from, double to
   Estimate answer;
   const int status = gsl_integration_qags(function.get(), from, to, tolerance.absolute, tolerance.relative, limit_,
                                           workspace_.get(), &answer.value, &answer.error);
-  function.rethrow();
-  return checked(status, {"QAGS", from, to, tolerance}, answer);
+  return function.finish(status, {"QAGS", from, to, tolerance}, answer);
 }
 
 Estimate AdaptiveQuadrature::with_break_points(const Integrand& f, std::vector<double> points,
@@ -49,8 +47,7 @@ Estimate AdaptiveQuadrature::with_break_points(const Integrand& f, std::vector<d
   Estimate answer;
   const int status = gsl_integration_qagp(function.get(), points.data(), points.size(), tolerance.absolute,
                                           tolerance.relative, limit_, workspace_.get(), &answer.value, &answer.error);
-  function.rethrow();
-  return checked(status, {"QAGP", points.front(), points.back(), tolerance}, answer);
+  return function.finish(status, {"QAGP", points.front(), points.back(), tolerance}, answer);
 }
 
 DoublyAdaptiveQuadrature::DoublyAdaptiveQuadrature(std::size_t most_intervals) {
@@ -63,8 +60,7 @@ Estimate DoublyAdaptiveQuadrature::operator()(const Integrand& f, double from, d
   Estimate answer;
   const int status = gsl_integration_cquad(function.get(), from, to, tolerance.absolute, tolerance.relative,
                                            workspace_.get(), &answer.value, &answer.error, nullptr);
-  function.rethrow();
-  return checked(status, {"CQUAD", from, to, tolerance}, answer);
+  return function.finish(status, {"CQUAD", from, to, tolerance}, answer);
 }
 
 }  // namespace lubjoint::oracle

@@ -4,6 +4,7 @@
 #include <gsl/gsl_math.h>
 
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -40,7 +41,8 @@ void disable_gsl_abort();
 /// @throws QuadratureError for any other status, and for a value or an error that is not finite
 Estimate checked(int status, const Request& request, const Estimate& answer);
 
-/// Carries an integrand through GSL. The first exception is kept and rethrown by `rethrow`.
+/// Carries an integrand through GSL. An exception of the integrand is kept and thrown again when GSL is done; so is a
+/// value that is not finite, which CQUAD would otherwise leave out without a word.
 class GslFunction {
  public:
   explicit GslFunction(const Integrand& function);
@@ -48,13 +50,18 @@ class GslFunction {
   GslFunction& operator=(const GslFunction&) = delete;
 
   gsl_function* get() { return &view_; }
-  void rethrow() const;
+
+  /// The answer of a rule that has been run on this function and returned `status`.
+  /// @throws what the integrand threw; QuadratureError as `checked`, or with the place where the integrand is not
+  /// finite
+  Estimate finish(int status, const Request& request, const Estimate& answer) const;
 
  private:
   static double call(double x, void* self) noexcept;
 
   Integrand function_;
   std::exception_ptr failure_;
+  std::optional<double> not_finite_at_;
   gsl_function view_;
 };
 

@@ -10,6 +10,12 @@
 
 namespace lubjoint::oracle {
 
+double periodic_trapezoid_sum(const Integrand& f, double start, double period, long points) {
+  double sum = 0;
+  for (long i = 0; i < points; ++i) sum += f(start + period * (static_cast<double>(i) / static_cast<double>(points)));
+  return sum * period / static_cast<double>(points);
+}
+
 Estimate periodic_trapezoid(const Integrand& f, double start, double period, const Tolerance& tolerance) {
   constexpr double unit = std::numeric_limits<double>::epsilon();
   constexpr long first_points = 8;

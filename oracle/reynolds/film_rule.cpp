@@ -14,16 +14,15 @@ namespace {
 
 using std::numbers::pi;
 
-void place_panel(const NarrowGap& gap, double from, double to, const GaussLegendreRule& rule, FilmNodes& nodes) {
-  const double width = gap.dip_width();
-  const double first = std::asinh(from / width);
-  const double last = std::asinh(to / width);
+void place_panel(const StretchedAngle& angle, double from, double to, const GaussLegendreRule& rule, FilmNodes& nodes) {
+  const double first = angle.stretched(from);
+  const double last = angle.stretched(to);
   const double middle = 0.5 * (first + last);
   const double half = 0.5 * (last - first);
   for (std::size_t i = 0; i < rule.size(); ++i) {
-    const double stretched = std::sinh(middle + half * rule.nodes()[i]);
-    nodes.phi.push_back(width * stretched);
-    nodes.weight.push_back(half * rule.weights()[i] * width * std::sqrt(1 + stretched * stretched));
+    const StretchedAngle::Place place = angle.at(middle + half * rule.nodes()[i]);
+    nodes.phi.push_back(place.phi);
+    nodes.weight.push_back(half * rule.weights()[i] * place.rate);
   }
 }
 
@@ -44,10 +43,13 @@ std::vector<double> break_points(const NarrowGap& gap, const FilmWindow& window)
 
 Estimate integrate_stretched(FilmQuadratureRule rule, const NarrowGap& gap, const FilmWindow& window,
                              const Integrand& f, const Tolerance& tolerance) {
-  const double width = gap.dip_width();
-  const auto stretched = [&](double t) { return f(width * std::sinh(t)) * width * std::cosh(t); };
-  const double from = std::asinh(window.from / width);
-  const double to = std::asinh(window.to / width);
+  const StretchedAngle angle(gap, window);
+  const auto stretched = [&](double t) {
+    const StretchedAngle::Place place = angle.at(t);
+    return f(place.phi) * place.rate;
+  };
+  const double from = angle.stretched(window.from);
+  const double to = angle.stretched(window.to);
   if (rule == FilmQuadratureRule::cquad) {
     thread_local DoublyAdaptiveQuadrature cquad;
     return cquad(stretched, from, to, tolerance);
@@ -77,8 +79,9 @@ void place_film_nodes(const NarrowGap& gap, const FilmWindow& window, std::size_
   const GaussLegendreRule& rule = gauss_legendre_rung(rung);
   nodes.phi.clear();
   nodes.weight.clear();
-  if (window.from < 0) place_panel(gap, window.from, std::min(window.to, 0.0), rule, nodes);
-  if (window.to > 0) place_panel(gap, std::max(window.from, 0.0), window.to, rule, nodes);
+  const StretchedAngle angle(gap, window);
+  if (window.from < angle.origin()) place_panel(angle, window.from, angle.origin(), rule, nodes);
+  if (window.to > angle.origin()) place_panel(angle, angle.origin(), window.to, rule, nodes);
 }
 
 Estimate integrate_over_film(FilmQuadratureRule rule, const NarrowGap& gap, const FilmWindow& window,

@@ -13,7 +13,7 @@ namespace lubjoint::oracle {
 
 /// How the pressure is integrated. The dip of the gap is a spike of the pressure, of width √(2(1 − ε)); each rule meets
 /// it in its own way.
-///   gauss_legendre  fixed rules in t, φ = w sinh t (w: width of the dip), on either side of the minimum film; default
+///   gauss_legendre  fixed rules in the stretched angle t (narrow_gap.hpp), on either side of the minimum film; default
 ///   qag             adaptive Gauss–Kronrod in t
 ///   qags            the same with extrapolation
 ///   qagp            adaptive in φ itself, break points around the spike

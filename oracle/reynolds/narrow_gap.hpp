@@ -73,4 +73,29 @@ struct FilmWindow {
   double narrowest() const { return std::clamp(0.0, from, to); }
 };
 
+/// The variable t in which integrals over the film are smooth: φ = φ₀ + w sinh t, with φ₀ the place of the window that
+/// is nearest to the minimum film and w² = (width of the dip)² + φ₀². The zeros of H, where the pressure has its poles,
+/// are then about 1 away from the path whatever ε, and the distance from φ₀ keeps all its digits.
+class StretchedAngle {
+ public:
+  StretchedAngle(const NarrowGap& gap, const FilmWindow& window)
+      : origin_(window.narrowest()), width_(std::hypot(gap.dip_width(), origin_)) {}
+
+  double stretched(double phi) const { return std::asinh((phi - origin_) / width_); }
+  double origin() const { return origin_; }
+
+  struct Place {
+    double phi;
+    double rate;  ///< dφ/dt
+  };
+  Place at(double t) const {
+    const double s = std::sinh(t);
+    return {origin_ + width_ * s, width_ * std::sqrt(1 + s * s)};
+  }
+
+ private:
+  double origin_;
+  double width_;
+};
+
 }  // namespace lubjoint::oracle
