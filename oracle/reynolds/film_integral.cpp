@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 #include <sstream>
+#include <stdexcept>
+#include <string>
 
 #include "oracle/quadrature/gsl_call.hpp"
 #include "oracle/reynolds/film_edges.hpp"
@@ -116,6 +118,10 @@ Estimate pressure_from_edge(const NarrowGap& gap, const FilmWindow& window, bool
 FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearing<double>& bearing,
                                            const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
                                            const FilmQuadratureOptions& options) {
+  if (!(options.relative_tolerance >= 0)) {
+    throw std::invalid_argument("relative_tolerance is " + std::to_string(options.relative_tolerance) +
+                                "; allowed is a number that is not negative");
+  }
   const OneDimensionalFilmEntry& entry = entry_of(film);
   const ScaledState scaled(entry, state);
   const NarrowGap gap(scaled.state);
