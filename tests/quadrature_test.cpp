@@ -98,7 +98,7 @@ TEST_CASE("CQUAD integrates across a jump") {
 }
 
 TEST_CASE("n-point Gauss-Legendre is exact to degree 2n-1 and has the textbook error at 2n") {
-  for (const std::size_t n : {1, 2, 3, 5, 8, 12}) {
+  for (const std::size_t n : std::vector<std::size_t>{1, 2, 3, 5, 8, 12}) {
     const GaussLegendreRule rule(n);
     const auto power = [&](std::size_t degree) {
       return rule.integrate([degree](double x) { return std::pow(x, static_cast<double>(degree)); }, 0, 1);

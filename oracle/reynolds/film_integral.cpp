@@ -72,8 +72,8 @@ FilmForceEstimate with_bounds(const OneDimensionalFilmEntry& entry, const FilmWi
   return force;
 }
 
-/// φ of an angle θ, brought into the window where a whole number of turns does that. 2.0 times π in two parts, because
-/// φ must be right relative to its own size.
+/// φ of an angle θ, brought into the window where a whole number of turns does that. π is subtracted in two parts,
+/// because φ must be right relative to its own size.
 double gap_angle(double theta, const FilmWindow& window) {
   constexpr double pi_rest = 1.2246467991473532e-16;  // π − double(π)
   const double middle = 0.5 * (window.from + window.to);
@@ -100,7 +100,7 @@ Estimate pressure_from_edge(const NarrowGap& gap, const FilmWindow& window, bool
   const FilmWindow part = from_begin ? FilmWindow{window.from, phi} : FilmWindow{phi, window.to};
   std::array<double, 2> value{};
   double magnitude = 0;
-  for (const std::size_t rung : {2, 3}) {
+  for (const std::size_t rung : {std::size_t{2}, std::size_t{3}}) {
     place_film_nodes(gap, part, rung, nodes);
     magnitude = 0;
     for (std::size_t n = 0; n < nodes.phi.size(); ++n) {

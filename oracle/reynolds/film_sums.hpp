@@ -26,9 +26,10 @@ struct FilmPair {
   Estimate second;
 };
 
-/// Integrals of p cosθ and p sinθ where the pressure is known in closed form, over 3μL²/(4c²)·(…) or 6μ(R/c)²:
-/// F/S = factor × integrals. A full film is folded at the minimum film: by symmetry only the part of p that is even
-/// there (the squeeze) has a radial force, and only the odd part (the wedge) a tangential one.
+/// The pressure where it is known in closed form, over its scale: 3μ(L²/4 − z²)/c² (short) or 6μ(R/c)² (long). With its
+/// integrals of p cosθ and p sinθ over θ, F_r/S and F_t/S are factor() × integral. A full film is folded at the minimum
+/// film: by symmetry only the part of p that is even there (the squeeze) has a radial force, and only the odd part (the
+/// wedge) a tangential one.
 class KnownPressure {
  public:
   KnownPressure(const NarrowGap& gap, const OneDimensionalFilmEntry& film)
@@ -58,8 +59,9 @@ class KnownPressure {
 FilmPair integrate_known_pressure(const KnownPressure& pressure, const NarrowGap& gap, const FilmWindow& window,
                                   FilmQuadratureRule rule, double relative_tolerance);
 
-/// Integrals of p sinθ and −p cosθ of the film with p = 0 at both ends, over 6μ(R/c)²… signs such that
-/// F_r/S = 6 × first and F_t/S = 6 × second.
+/// ∫ p cosθ dθ and ∫ p sinθ dθ of the long film with p = 0 at both ends, p over 6μ(R/c)²: F_r/S is 6 × first and F_t/S
+/// 6 × second. Two passes: means of X and Y with weight 1/H³, then −∫ (G − Ḡ)(X − X̄)/H³ and the same with Y
+/// (pressure_slope.hpp), turned from the axes at φ₀ to the radial and tangential directions.
 FilmPair integrate_pressure_slope(const NarrowGap& gap, const FilmWindow& window, bool edges_are_zeros,
                                   FilmQuadratureRule rule, double relative_tolerance);
 
