@@ -1,0 +1,126 @@
+#include "oracle/reynolds/cavitated_film.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+#include "oracle/reynolds/cavitated_grid.hpp"
+
+namespace lubjoint::oracle {
+
+namespace {
+
+/// Steps from the middle to the edge of successive grids, about a fifth more each time.
+constexpr std::array<int, 17> steps_along{6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96};
+constexpr int around_per_along = 6;
+constexpr std::size_t fitted = 6;        ///< grids in a fit: the coarsest is about twice as coarse as the finest
+constexpr std::size_t earlier = 2;       ///< the fit compared with ends this many grids before
+constexpr double standard_errors = 4.6;  ///< Student's t for 99 % with the four degrees of freedom of a fit
+
+std::unique_ptr<CavitatedGrid> next_grid(const ScaledFilm& film, bool pinned, int along, const CavitatedGrid* coarser) {
+  auto grid = std::make_unique<CavitatedGrid>(film, pinned, around_per_along * along, along);
+  if (coarser != nullptr) grid->start_from(*coarser);
+  grid->solve();
+  return grid;
+}
+
+struct Fit {
+  Eigen::Vector2d value;
+  Eigen::Vector2d standard_error;
+};
+
+/// Least squares for F₀ + C/n² through the forces of grids first…last, weights n⁴.
+Fit extrapolate(const std::vector<Eigen::Vector2d>& forces, std::size_t first, std::size_t last) {
+  double w0 = 0, w1 = 0, w2 = 0;
+  Eigen::Vector2d f0(0, 0), f1(0, 0);
+  const auto each = [&](auto&& use) {
+    for (std::size_t g = first; g <= last; ++g) {
+      const double x = 1 / static_cast<double>(steps_along[g] * steps_along[g]);
+      use(1 / (x * x), x, forces[g]);
+    }
+  };
+  each([&](double w, double x, const Eigen::Vector2d& force) {
+    w0 += w;
+    w1 += w * x;
+    w2 += w * x * x;
+    f0 += w * force;
+    f1 += w * x * force;
+  });
+  const double determinant = w0 * w2 - w1 * w1;
+  const Eigen::Vector2d value = (w2 * f0 - w1 * f1) / determinant;
+  const Eigen::Vector2d slope = (w0 * f1 - w1 * f0) / determinant;
+  Eigen::Vector2d scatter(0, 0);
+  each([&](double w, double x, const Eigen::Vector2d& force) {
+    scatter += w * (force - value - slope * x).cwiseAbs2();
+  });
+  const auto freedom = static_cast<double>(last - first + 1 - 2);
+  return {value, (scatter / freedom * w2 / determinant).cwiseSqrt()};
+}
+
+/// Order q for which three forces fit F₀ + C/n^q: the root of a monotone function, by bisection.
+double order_of(const std::array<Eigen::Vector2d, 3>& force, const std::array<double, 3>& n) {
+  const double seen = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();
+  const auto expected = [&](double q) {
+    return (std::pow(n[0], -q) - std::pow(n[1], -q)) / (std::pow(n[1], -q) - std::pow(n[2], -q));
+  };
+  double low = 0.01, high = 10;
+  if (!(seen > expected(low))) return low;
+  if (!(seen < expected(high))) return high;
+  while (high - low > 1e-6) {
+    const double middle = (low + high) / 2;
+    (expected(middle) < seen ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance) {
+  ScaledForce result;
+  std::vector<Eigen::Vector2d> forces;
+  std::unique_ptr<CavitatedGrid> grid;
+  for (std::size_t last = 0; last < steps_along.size(); ++last) {
+    grid = next_grid(film, pinned, steps_along[last], grid.get());
+    forces.push_back(grid->force());
+    if (last + 1 < fitted) continue;
+    const Fit fit = extrapolate(forces, last + 1 - fitted, last);
+    const std::size_t before = last - earlier;
+    const Fit other = extrapolate(forces, before + 1 > fitted ? before + 1 - fitted : 0, before);
+    const Eigen::Vector2d drift = (fit.value - other.value).cwiseAbs() / 2;
+    const double rounding = grid->unknowns() * std::numeric_limits<double>::epsilon() * fit.value.norm();
+    result.value = fit.value;
+    result.error = standard_errors * fit.standard_error + drift + Eigen::Vector2d::Constant(rounding);
+    result.unknowns = grid->unknowns();
+    // The finest grid, the one before the others of the fit and the one between: wide apart, so that r matters less.
+    const std::array<std::size_t, 3> apart{last + 1 - fitted, last - fitted / 2, last};
+    std::array<Eigen::Vector2d, 3> force;
+    std::array<double, 3> n;
+    for (std::size_t k = 0; k < apart.size(); ++k) {
+      force[k] = forces[apart[k]];
+      n[k] = steps_along[apart[k]];
+    }
+    result.observed_order = order_of(force, n);
+    if (result.error.norm() <= relative_tolerance * result.value.norm()) break;
+  }
+  return result;
+}
+
+std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
+                                            const std::vector<double>& zeta, int along) {
+  std::unique_ptr<CavitatedGrid> grid;
+  for (const int steps : steps_along) {
+    if (steps < along) grid = next_grid(film, pinned, steps, grid.get());
+  }
+  grid = next_grid(film, pinned, along, grid.get());
+  std::vector<double> pressure;
+  pressure.reserve(theta.size() * zeta.size());
+  for (const double angle : theta) {
+    for (const double z : zeta) pressure.push_back(grid->pressure(angle, z));
+  }
+  return pressure;
+}
+
+}  // namespace lubjoint::oracle
