@@ -14,8 +14,9 @@ namespace lubjoint::oracle {
 namespace {
 
 /// Steps from the middle to the edge of successive grids, about a fifth more each time.
-constexpr std::array<int, 17> steps_along{6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96};
-constexpr int around_per_along = 6;
+constexpr std::array<int, 17> steps_along{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64};
+/// Nodes around for each step along: P is nearly a parabola in ζ, and r falls with the step around.
+constexpr int around_per_along = 16;
 constexpr std::size_t fitted = 6;        ///< grids in a fit: the coarsest is about twice as coarse as the finest
 constexpr std::size_t earlier = 2;       ///< the fit compared with ends this many grids before
 constexpr double standard_errors = 4.6;  ///< Student's t for 99 % with the four degrees of freedom of a fit
@@ -109,7 +110,10 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
 }
 
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
-                                            const std::vector<double>& zeta, int along) {
+                                            const std::vector<double>& zeta) {
+  const int least_along = 32;
+  const int along =
+      std::max({least_along, static_cast<int>(zeta.size() + 1) / 2, static_cast<int>(theta.size()) / around_per_along});
   std::unique_ptr<CavitatedGrid> grid;
   for (const int steps : steps_along) {
     if (steps < along) grid = next_grid(film, pinned, steps, grid.get());

@@ -19,8 +19,8 @@ namespace lubjoint::oracle {
 ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance);
 
 /// P at the product of the given angles (θ, from the maximum film) and ζ; row-major, one row per angle. From one grid
-/// of the given number of steps from the middle to the edge, by linear interpolation: second order.
+/// that is at least as fine as the one asked for, by linear interpolation: second order.
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
-                                            const std::vector<double>& zeta, int along);
+                                            const std::vector<double>& zeta);
 
 }  // namespace lubjoint::oracle

@@ -12,7 +12,7 @@ namespace {
 
 /// m = ((1 − ε)/(1 + ε))^stretching; ½ is Sommerfeld's angle, which leaves too few nodes where the film is thick.
 /// This and edge_grading gave the smallest error at a given number of nodes for L/D 0.1…4 and ε 0.5…0.99.
-constexpr double stretching = 0.4;
+constexpr double stretching = 0.3;
 constexpr double edge_grading = 0.5;  ///< β
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }

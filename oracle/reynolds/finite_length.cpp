@@ -1,5 +1,6 @@
 #include "oracle/reynolds/finite_length.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -128,8 +129,7 @@ PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bea
   field.pressure.assign(theta.size() * zeta.size(), 0.0);
   if (scaled.pressure == 0) return field;
   if (film == FiniteFilm::finite_reynolds) {
-    const int along = std::max({32, (stations + 1) / 2, angles / 6});  // 6 nodes around for each step along
-    field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta, along);
+    field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta);
   } else {
     const double truncation = 1e-5;  // of the largest pressure
     field.pressure = smooth_film_pressure(extent_of(film), scaled.film, theta, zeta, truncation);
