@@ -17,9 +17,12 @@ namespace {
 constexpr std::array<int, 17> steps_along{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64};
 /// Nodes around for each step along: P is nearly a parabola in ζ, and r falls with the step around.
 constexpr int around_per_along = 16;
-constexpr std::size_t fitted = 6;        ///< grids in a fit: the coarsest is about twice as coarse as the finest
-constexpr std::size_t earlier = 2;       ///< the fit compared with ends this many grids before
-constexpr double standard_errors = 4.6;  ///< Student's t for 99 % with the four degrees of freedom of a fit
+constexpr std::size_t fitted = 6;         ///< grids in a fit: the coarsest is about twice as coarse as the finest
+constexpr std::size_t earlier = 2;        ///< the fit compared with ends this many grids before
+constexpr double standard_errors = 8.61;  ///< Student's t for 99.9 % with the four degrees of freedom of a fit
+
+/// How far the observed order may be from 2 before the extrapolation is mistrusted.
+constexpr double order_margin = 0.5;
 
 std::unique_ptr<CavitatedGrid> next_grid(const ScaledFilm& film, bool pinned, int along, const CavitatedGrid* coarser) {
   auto grid = std::make_unique<CavitatedGrid>(film, pinned, around_per_along * along, along);
@@ -61,20 +64,20 @@ Fit extrapolate(const std::vector<Eigen::Vector2d>& forces, std::size_t first, s
   return {value, (scatter / freedom * w2 / determinant).cwiseSqrt()};
 }
 
-/// Order q for which three forces fit F₀ + C/n^q: the root of a monotone function, by bisection.
-double order_of(const std::array<Eigen::Vector2d, 3>& force, const std::array<double, 3>& n) {
-  const double seen = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();
-  const auto expected = [&](double q) {
-    return (std::pow(n[0], -q) - std::pow(n[1], -q)) / (std::pow(n[1], -q) - std::pow(n[2], -q));
-  };
-  double low = 0.01, high = 10;
-  if (!(seen > expected(low))) return low;
-  if (!(seen < expected(high))) return high;
-  while (high - low > 1e-6) {
-    const double middle = (low + high) / 2;
-    (expected(middle) < seen ? low : high) = middle;
+/// Slope of log|F − F₀| against log h over all grids but the finest, by least squares: the order of convergence towards
+/// the extrapolated force.
+double order_of_convergence(const std::vector<Eigen::Vector2d>& forces, const Eigen::Vector2d& extrapolated) {
+  double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t g = 0; g + 1 < forces.size(); ++g) {
+    const double x = -std::log(static_cast<double>(steps_along[g]));
+    const double y = std::log((forces[g] - extrapolated).norm());
+    count += 1;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
   }
-  return low;
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
 }  // namespace
@@ -90,20 +93,16 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
     const Fit fit = extrapolate(forces, last + 1 - fitted, last);
     const std::size_t before = last - earlier;
     const Fit other = extrapolate(forces, before + 1 > fitted ? before + 1 - fitted : 0, before);
-    const Eigen::Vector2d drift = (fit.value - other.value).cwiseAbs() / 2;
+    const Eigen::Vector2d drift = (fit.value - other.value).cwiseAbs();
     const double rounding = grid->unknowns() * std::numeric_limits<double>::epsilon() * fit.value.norm();
     result.value = fit.value;
     result.error = standard_errors * fit.standard_error + drift + Eigen::Vector2d::Constant(rounding);
     result.unknowns = grid->unknowns();
-    // The finest grid, the one before the others of the fit and the one between: wide apart, so that r matters less.
-    const std::array<std::size_t, 3> apart{last + 1 - fitted, last - fitted / 2, last};
-    std::array<Eigen::Vector2d, 3> force;
-    std::array<double, 3> n;
-    for (std::size_t k = 0; k < apart.size(); ++k) {
-      force[k] = forces[apart[k]];
-      n[k] = steps_along[apart[k]];
+    result.observed_order = order_of_convergence(forces, fit.value);
+    // Where the grids do not yet converge at second order, the extrapolation is worth no more than its finest grid.
+    if (!(std::abs(result.observed_order - 2) < order_margin)) {
+      result.error = result.error.cwiseMax((forces.back() - fit.value).cwiseAbs());
     }
-    result.observed_order = order_of(force, n);
     if (result.error.norm() <= relative_tolerance * result.value.norm()) break;
   }
   return result;
