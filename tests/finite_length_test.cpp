@@ -251,6 +251,40 @@ TEST_CASE("finite length: the pressure field integrates to the force, vanishes a
   }
 }
 
+TEST_CASE("finite length: the pressure field satisfies Reynolds' equation inside the film") {
+  const double slenderness = 0.8;
+  const Bearing<double> bearing = bearing_of(slenderness);
+  const int angles = 721, stations = 161;
+  for (const FiniteFilm film : smooth_films) {
+    for (const auto& state : motions(0.5)) {
+      const PressureField field = finite_length_pressure(film, bearing, oil, state, angles, stations);
+      const double step = field.theta[1], rise = field.z[1] - field.z[0];
+      const auto p = [&](int i, int j) { return field.pressure[static_cast<std::size_t>(i * stations + j)]; };
+      const auto cubed = [&](double theta) { return std::pow(1 + state.eccentricity_ratio * std::cos(theta), 3); };
+      const double strength = 6 * oil.viscosity() / std::pow(bearing.clearance(), 2);
+      double largest = 0, worst = 0;
+      for (int i = 1; i + 1 < angles; ++i) {
+        const double theta = field.theta[static_cast<std::size_t>(i)];
+        const double source = strength * (state.slip_rate * std::sin(theta) - 2 * state.squeeze_rate * std::cos(theta));
+        largest = std::max(largest, std::abs(source));
+        for (int j = 1; j + 1 < stations; ++j) {
+          // Inside of the film and off its cut ends, where the field has corners.
+          if (i < 10 || i + 10 > angles || p(i - 9, stations / 2) == 0 || p(i + 9, stations / 2) == 0) continue;
+          if (film == FiniteFilm::finite_half && std::abs(i - (angles - 1) / 2) < 10) continue;
+          const double around =
+              (cubed(theta + step / 2) * (p(i + 1, j) - p(i, j)) - cubed(theta - step / 2) * (p(i, j) - p(i - 1, j))) /
+              std::pow(radius * step, 2);
+          const double along = cubed(theta) * (p(i, j + 1) - 2 * p(i, j) + p(i, j - 1)) / (rise * rise);
+          worst = std::max(worst, std::abs(around + along + source));
+        }
+      }
+      INFO(described(film, slenderness, state));
+      CHECK(worst <
+            5e-3 * largest);  // discretisation of this check: steps of 0.009 and 0.01 R, fourth derivatives / 12
+    }
+  }
+}
+
 TEST_CASE("finite length: turning the wedge round mirrors the force, bit for bit") {
   for (const FiniteFilm film : all_films) {
     const FiniteLengthResult one = solve(film, 1.0, {0.7, 30.0, -12.0}, 1e-3);

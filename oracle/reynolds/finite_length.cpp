@@ -131,7 +131,7 @@ PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bea
   if (film == FiniteFilm::finite_reynolds) {
     field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta);
   } else {
-    const double truncation = 1e-5;  // of the largest pressure
+    const double truncation = 1e-7;  // of the largest pressure
     field.pressure = smooth_film_pressure(extent_of(film), scaled.film, theta, zeta, truncation);
   }
   for (double& p : field.pressure) p *= scaled.pressure;

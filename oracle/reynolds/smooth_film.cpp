@@ -139,9 +139,11 @@ std::vector<double> smooth_film_pressure(FilmExtent extent, const ScaledFilm& fi
         pressure[column[n] * zeta.size() + j] += sign[n] * short_curvature[n] * axial;
       }
     }
+    std::vector<double> profile(zeta.size());
     for (int k = 0; k < most_harmonics; ++k) {
       const double kappa = wave_number(k, span);
       mode.solve(strip, kappa);
+      for (std::size_t j = 0; j < zeta.size(); ++j) profile[j] = std::cos(kappa * zeta[j]);
       const double amplitude = (k % 2 == 0 ? 2 : -2) / (kappa * span);
       double change = 0;
       for (std::size_t n = 0; n < place.size(); ++n) {
@@ -149,9 +151,8 @@ std::vector<double> smooth_film_pressure(FilmExtent extent, const ScaledFilm& fi
         largest = std::max(largest, std::abs(amplitude * f));
         const double term = amplitude * (f - short_curvature[n] / (kappa * kappa));
         change = std::max(change, std::abs(term));
-        for (std::size_t j = 0; j < zeta.size(); ++j) {
-          pressure[column[n] * zeta.size() + j] += sign[n] * term * std::cos(kappa * zeta[j]);
-        }
+        double* row = pressure.data() + column[n] * zeta.size();
+        for (std::size_t j = 0; j < zeta.size(); ++j) row[j] += sign[n] * term * profile[j];
       }
       // The terms fall like k^−3 at worst, in the layer at a cut end.
       if (k > 2 && change * (k + 1) / 2 <= relative_tolerance * largest) break;
