@@ -279,8 +279,9 @@ TEST_CASE("finite length: the pressure field satisfies Reynolds' equation inside
         }
       }
       INFO(described(film, slenderness, state));
-      CHECK(worst <
-            5e-3 * largest);  // discretisation of this check: steps of 0.009 and 0.01 R, fourth derivatives / 12
+      // discretisation of this check: steps of 0.009 around and 0.01 R along, times fourth derivatives / 12
+      CHECK(worst < 5e-3 * largest);
+      CHECK(worst > 0);  // there were points to check
     }
   }
 }

@@ -30,7 +30,7 @@ CavitatedGrid::CavitatedGrid(const ScaledFilm& film, bool pinned, int around, in
   double largest = 0;
   for (int i = 0; i < around_; ++i) {
     for (int j = 0; j < along_; ++j) {
-      wet_[node(i, j)] = load(i, j) > 0 && !(pinned_ && i == 0);
+      wet_[node(i, j)] = load(i, j) > 0 && !(pinned_ && i == 0) ? 1 : 0;
       largest = std::max(largest, std::abs(load(i, j)));
     }
   }
@@ -79,7 +79,7 @@ void CavitatedGrid::start_from(const CavitatedGrid& solved) {
     const int other_i = static_cast<int>(std::lround(i * ratio_around)) % solved.around_;
     for (int j = 0; j < along_; ++j) {
       const int other_j = std::min(static_cast<int>(std::lround(j * ratio_along)), solved.along_ - 1);
-      wet_[node(i, j)] = solved.wet_[solved.node(other_i, other_j)] && !(pinned_ && i == 0);
+      wet_[node(i, j)] = pinned_ && i == 0 ? '\0' : solved.wet_[solved.node(other_i, other_j)];
     }
   }
 }
@@ -149,9 +149,10 @@ bool CavitatedGrid::update_wet_nodes() {
     for (int j = 0; j < along_; ++j) {
       char& wet = wet_[node(i, j)];
       // pressure_ holds the last solution throughout, so wet nodes may be changed in place.
-      const bool stays = wet ? pressure_[node(i, j)] >= 0 : excess(i, j) > smallest_load_;
-      if (stays == static_cast<bool>(wet)) continue;
-      wet = stays;
+      const bool was_wet = wet != 0;
+      const bool is_wet = was_wet ? pressure_[node(i, j)] >= 0 : excess(i, j) > smallest_load_;
+      if (is_wet == was_wet) continue;
+      wet = is_wet ? 1 : 0;
       changed = true;
     }
   }

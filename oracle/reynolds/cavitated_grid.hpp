@@ -34,7 +34,9 @@ class CavitatedGrid {
   double pressure(double theta, double zeta) const;
 
  private:
-  std::size_t node(int i, int j) const { return static_cast<std::size_t>(i * along_ + j); }
+  std::size_t node(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(along_) + static_cast<std::size_t>(j);
+  }
   int next(int i) const { return i + 1 == around_ ? 0 : i + 1; }
   int previous(int i) const { return i == 0 ? around_ - 1 : i - 1; }
   /// Conductance from node (i, j) to (i + 1, j) and to (i, j + 1).

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "lubjoint/film/extent.hpp"

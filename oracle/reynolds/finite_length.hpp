@@ -1,7 +1,6 @@
 /// Force and pressure of a lubricant film of finite length, by solving Reynolds' equation around and along it.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -22,8 +22,9 @@ double wave_number(int k, double slenderness) { return (2 * k + 1) * std::number
 /// Σ_{j ≥ k} (j + ½)^−m, by Euler and Maclaurin from the 30th term, where the next correction is below rounding.
 double power_tail(double m, int k) {
   double sum = 0;
-  double s = k + 0.5;
-  for (; s < 30; s += 1) sum += std::pow(s, -m);
+  int j = k;
+  for (; j < 30; ++j) sum += std::pow(j + 0.5, -m);
+  const double s = j + 0.5;
   const double last = std::pow(s, -m);
   const double third = m * (m + 1) * (m + 2) / (720 * s * s * s);
   return sum + last * (s / (m - 1) + 0.5 + m / (12 * s) - third);

@@ -30,15 +30,17 @@ std::vector<Strip> strips_of(FilmExtent extent, const ScaledFilm& film) {
 
 std::vector<double> Strip::breaks(double layer) const {
   std::vector<double> points{start, end};
-  const auto insert = [&](double x) {
-    if (x > start && x < end) points.push_back(x);
+  const auto insert = [&](double point) {
+    if (point > start && point < end) points.push_back(point);
   };
   insert(0.0);
   // H grows like 1 + (x/w)²: elements whose length is proportional to their distance from the spike resolve it evenly.
   const double width = film.epsilon > 0 ? film.spike_width() : end - start;
-  for (double x = width; x < end - start; x *= 2) {
+  double x = width;
+  while (x < end - start) {
     insert(x);
     insert(-x);
+    x *= 2;
   }
   if (open_ends) {
     // exp(−κx) on two elements of length proportional to degree/κ: their error falls exponentially with the degree at
