@@ -1,0 +1,26 @@
+/// Finite-length film that ruptures where its pressure would become negative (Swift–Stieber).
+#pragma once
+
+#include <vector>
+
+#include "oracle/reynolds/scaled_film.hpp"
+
+namespace lubjoint::oracle {
+
+/// Force of the cavitated film, extrapolated to a step of zero.
+///
+/// Grids of growing fineness, each started from the free boundary of the one before, until the error estimate is within
+/// the tolerance or the finest grid is reached. The discretisation is of second order, so its forces are F₀ + C h² + r;
+/// r is the rounding of the free boundary to the nodes, as large as h² but without a trend. F₀ and C are fitted by
+/// least squares to the grids within a factor of two or so of the finest, each weighted by the inverse variance of its
+/// r. The error estimate is the fit's standard error times Student's t for 99.9 %, plus the change from an earlier fit,
+/// which sees what is systematic; where the observed order is far from 2, at least what the extrapolation changed.
+/// @param pinned  P = 0 along the maximum film
+ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance);
+
+/// P at the product of the given angles (θ, from the maximum film) and ζ; row-major, one row per angle. From one grid
+/// that is at least as fine as the one asked for, by linear interpolation: second order.
+std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
+                                            const std::vector<double>& zeta);
+
+}  // namespace lubjoint::oracle

@@ -1,0 +1,9 @@
+# Sources of the finite-length film.
+set(finite_length_sources
+  cavitated_film.cpp
+  cavitated_grid.cpp
+  envelope_cholesky.cpp
+  finite_length.cpp
+  lobatto.cpp
+  smooth_film.cpp
+  strip_mode.cpp)

@@ -1,0 +1,142 @@
+#include "oracle/reynolds/finite_length.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "lubjoint/film/extent.hpp"
+#include "oracle/reynolds/cavitated_film.hpp"
+#include "oracle/reynolds/smooth_film.hpp"
+
+namespace lubjoint::oracle {
+
+namespace {
+
+constexpr std::array<std::pair<FiniteFilm, std::string_view>, 4> film_names{
+    {{FiniteFilm::finite_full, "finite_full"},
+     {FiniteFilm::finite_half, "finite_half"},
+     {FiniteFilm::finite_dynamic, "finite_dynamic"},
+     {FiniteFilm::finite_reynolds, "finite_reynolds"}}};
+
+/// A state without dimensions, and what its pressure is to be multiplied with.
+struct Scaled {
+  ScaledFilm film;
+  double pressure;  ///< 6μ(R/c)² times the rate that a and b were divided by [Pa]
+  double mirror;    ///< −1 if the film was mirrored because a < 0: the sign of θ and of the tangential force
+};
+
+Scaled without_dimensions(const Bearing<double>& bearing, const Lubricant<double>& oil,
+                          const PolarFilmState<double>& state) {
+  const double a = std::abs(state.slip_rate);
+  const double b = state.squeeze_rate;
+  const double rate = std::max(a, std::abs(b));
+  const double ratio = bearing.radius() / bearing.clearance();
+  const ScaledFilm film{state.eccentricity_ratio, state.q / (1 + state.eccentricity_ratio), rate > 0 ? a / rate : 0.0,
+                        rate > 0 ? b / rate : 0.0, bearing.length() / (2 * bearing.radius())};
+  return {film, 6 * oil.viscosity() * ratio * ratio * rate, state.slip_rate < 0 ? -1.0 : 1.0};
+}
+
+FilmExtent extent_of(FiniteFilm film) {
+  switch (film) {
+    case FiniteFilm::finite_full:
+      return FilmExtent::full;
+    case FiniteFilm::finite_half:
+      return FilmExtent::half;
+    case FiniteFilm::finite_dynamic:
+      return FilmExtent::dynamic;
+    case FiniteFilm::finite_reynolds:
+      break;
+  }
+  throw std::logic_error("the bounds of a cavitated film are part of its solution");
+}
+
+bool is_pinned(const ScaledFilm& film, FilmOnset onset) {
+  return onset == FilmOnset::maximum_film && film.squeeze == 0;
+}
+
+template <class T>
+void require_between(const char* name, T given, T lowest, T highest) {
+  if (given >= lowest && given <= highest) return;
+  std::ostringstream message;
+  message.precision(17);
+  message << name << " is " << given << "; allowed is " << lowest << " to " << highest;
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace
+
+std::string_view name_of(FiniteFilm film) {
+  for (const auto& [known, name] : film_names) {
+    if (known == film) return name;
+  }
+  throw std::invalid_argument("there is no finite-length film number " + std::to_string(static_cast<int>(film)));
+}
+
+FiniteFilm finite_film_of(std::string_view name) {
+  std::string allowed;
+  for (const auto& [film, known] : film_names) {
+    if (known == name) return film;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(known);
+  }
+  throw std::invalid_argument("there is no finite-length film \"" + std::string(name) + "\"; allowed are " + allowed);
+}
+
+FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                                       const PolarFilmState<double>& state, const FiniteLengthOptions& options) {
+  require_between("relative_tolerance", options.relative_tolerance, 1e-12, 0.1);
+  const Scaled scaled = without_dimensions(bearing, oil, state);
+  FiniteLengthResult result;
+  result.observed_order = std::numeric_limits<double>::quiet_NaN();
+  result.tolerance_met = true;
+  if (scaled.pressure == 0) return result;
+  const double tolerance = options.relative_tolerance;
+  const ScaledForce force = film == FiniteFilm::finite_reynolds
+                                ? cavitated_film_force(scaled.film, is_pinned(scaled.film, options.onset), tolerance)
+                                : smooth_film_force(extent_of(film), scaled.film, tolerance);
+  const double scale = scaled.pressure * bearing.radius() * bearing.radius();
+  result.radial = scale * force.value[0];
+  result.tangential = scaled.mirror * scale * force.value[1];
+  result.radial_error = scale * force.error[0];
+  result.tangential_error = scale * force.error[1];
+  if (std::isfinite(force.observed_order)) result.observed_order = force.observed_order;
+  result.unknowns = force.unknowns;
+  result.tolerance_met = force.error.norm() <= tolerance * force.value.norm();
+  return result;
+}
+
+PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                                     const PolarFilmState<double>& state, int angles, int stations, FilmOnset onset) {
+  require_between("angles", angles, 3, 10000);
+  require_between("stations", stations, 3, 1000);
+  const Scaled scaled = without_dimensions(bearing, oil, state);
+  PressureField field;
+  std::vector<double> theta, zeta;
+  for (int i = 0; i < angles; ++i) {
+    field.theta.push_back(2 * std::numbers::pi * i / (angles - 1));
+    theta.push_back(scaled.mirror * field.theta.back());
+  }
+  for (int j = 0; j < stations; ++j) {
+    // −1…1, exactly symmetric, so that the field is
+    const double along = static_cast<double>(2 * j - (stations - 1)) / (stations - 1);
+    field.z.push_back(along * bearing.length() / 2);
+    zeta.push_back(along * scaled.film.slenderness);
+  }
+  field.pressure.assign(theta.size() * zeta.size(), 0.0);
+  if (scaled.pressure == 0) return field;
+  if (film == FiniteFilm::finite_reynolds) {
+    field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta);
+  } else {
+    const double truncation = 1e-7;  // of the largest pressure
+    field.pressure = smooth_film_pressure(extent_of(film), scaled.film, theta, zeta, truncation);
+  }
+  for (double& p : field.pressure) p *= scaled.pressure;
+  return field;
+}
+
+}  // namespace lubjoint::oracle

@@ -1,0 +1,90 @@
+// The finite-length film against published tables.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "oracle/reynolds/finite_length.hpp"
+#include "support/csv.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::oracle;
+using lubjoint::testing::CsvRow;
+using lubjoint::testing::read_csv;
+
+namespace {
+
+constexpr double radius = 0.02;
+constexpr double clearance = 4e-5;
+constexpr double viscosity = 0.03;
+constexpr double rate = 50;  // ω or |dε/dt| [1/s]; the numbers compared do not depend on any of these four
+
+double number(const CsvRow& row, const std::string& column) { return std::stod(row.at(column)); }
+
+struct Solved {
+  double load;      // |F| [N]
+  double attitude;  // [°]
+  double error;     // of the load, relative
+};
+
+Solved solve(const CsvRow& row, double a, double b) {
+  const Bearing<double> bearing(2 * radius * number(row, "length_to_diameter"), radius, clearance);
+  const PolarFilmState<double> state(number(row, "eccentricity_ratio"), a, b);
+  const FiniteLengthOptions options{1e-4, FilmOnset::maximum_film};
+  const FiniteLengthResult force =
+      finite_length_force(FiniteFilm::finite_reynolds, bearing, Lubricant<double>(viscosity), state, options);
+  const double load = std::hypot(force.radial, force.tangential);
+  // The load is opposite to the film's force, and the eccentricity leads it by the attitude angle.
+  const double attitude = std::atan2(force.tangential, -force.radial) * 180 / std::numbers::pi;
+  return {load, attitude, std::hypot(force.radial_error, force.tangential_error) / load};
+}
+
+struct Worst {
+  double difference = 0;
+  std::string where;
+  void see(double other, const CsvRow& row) {
+    if (std::abs(other) < std::abs(difference)) return;
+    difference = other;
+    where = "L/D " + row.at("length_to_diameter") + ", eccentricity ratio " + row.at("eccentricity_ratio");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("finite length: Raimondi and Boyd's Sommerfeld numbers and attitude angles are met with a pinned onset") {
+  Worst number_off, angle_off;
+  for (const CsvRow& row : read_csv(LUBJOINT_SOURCE_DIR "/data/literature/raimondi-boyd.csv")) {
+    const Solved solved = solve(row, number(row, "eccentricity_ratio") * rate, 0);
+    const double unit_load = solved.load / (4 * radius * radius * number(row, "length_to_diameter"));
+    const double revolutions = rate / (2 * std::numbers::pi);
+    const double sommerfeld = viscosity * revolutions / unit_load * std::pow(radius / clearance, 2);
+    CHECK(solved.error < 1e-4);  // the tolerance asked for: nothing against the table's scatter
+    number_off.see(sommerfeld / number(row, "sommerfeld_number") - 1, row);
+    angle_off.see(solved.attitude - number(row, "attitude_angle_deg"), row);
+  }
+  INFO("worst Sommerfeld number: " << 100 * number_off.difference << " % at " << number_off.where);
+  INFO("worst attitude angle: " << angle_off.difference << " degrees at " << angle_off.where);
+  CHECK(std::abs(number_off.difference) < 0.015);              // literature: the table's scatter, 1.4 %
+  CHECK(std::abs(angle_off.difference) < 0.6);                 // literature: the table's scatter, 0.53°
+  CHECK(number_off.where == "L/D 1, eccentricity ratio 0.4");  // the table's odd point, in both columns
+  CHECK(angle_off.where == "L/D 1, eccentricity ratio 0.4");
+}
+
+TEST_CASE("finite length: Butenschön's load numbers for rotation, closing and opening are met") {
+  Worst number_off, angle_off;
+  for (const CsvRow& row : read_csv(LUBJOINT_SOURCE_DIR "/data/literature/butenschon.csv")) {
+    const std::string& motion = row.at("motion");
+    const bool rotates = motion == "rotation";
+    const double b = rotates ? 0 : motion == "closing" ? rate : -rate;
+    const Solved solved = solve(row, rotates ? number(row, "eccentricity_ratio") * rate : 0, b);
+    const double length = 2 * radius * number(row, "length_to_diameter");
+    const double load = solved.load * std::pow(clearance / radius, 2) / (length * 2 * radius * viscosity * rate);
+    INFO(motion << " at eccentricity ratio " << row.at("eccentricity_ratio"));
+    CHECK(solved.error < 1e-4);  // the tolerance asked for
+    number_off.see(load / number(row, "load_number") - 1, row);
+    if (rotates) angle_off.see(solved.attitude - number(row, "attitude_angle_deg"), row);
+  }
+  INFO("worst load number: " << 100 * number_off.difference << " % at " << number_off.where);
+  INFO("worst attitude angle: " << angle_off.difference << " degrees at " << angle_off.where);
+  CHECK(std::abs(number_off.difference) < 0.005);  // literature: 0.3 % of the source, 0.2 % of margin
+  CHECK(std::abs(angle_off.difference) < 0.05);    // literature: three decimals, with the load's 0.3 % in one component
+}
