@@ -80,11 +80,10 @@ Polar principal_branch_difference(const Polar& primitive, bool with_jump) {
 }
 
 void add_mistakes(std::vector<Statement>& all) {
-  all.push_back(mistake("short full film, antiderivative taken across the jump of the arctangent", "eqs. 6, 7 altered",
-                        [](Proof& proof) {
-                          equal(proof, film_algebra(), frac(1, 2) * principal_branch_difference(short_primitive(), false),
-                                short_full());
-                        }));
+  all.push_back(mistake(
+      "short full film, antiderivative taken across the jump of the arctangent", "eqs. 6, 7 altered", [](Proof& proof) {
+        equal(proof, film_algebra(), frac(1, 2) * principal_branch_difference(short_primitive(), false), short_full());
+      }));
   all.push_back(mistake("long full film, antiderivative taken across the jump of the arctangent", "eqs. 10, 11 altered",
                         [](Proof& proof) {
                           equal(proof, film_algebra(), 6 * principal_branch_difference(long_primitive(), false),
@@ -93,18 +92,17 @@ void add_mistakes(std::vector<Statement>& all) {
   all.push_back(mistake("short full film with b/2 for b", "eq. 6 altered", [](Proof& proof) {
     short_force(proof, 0, 2, short_full().subs({{sym().b, sym().b / 2}}));
   }));
-  all.push_back(mistake("short half film with q^(3/2) for q^(5/2) in the squeeze term", "eq. 8 altered",
-                        [](Proof& proof) {
-                          const Symbols& y = sym();
-                          Polar altered = on_side(short_half(), 1);
-                          altered.radial += Pi * y.b * (1 + 2 * pow(y.eps, 2)) / 2 * (1 / pow(y.s, 5) - 1 / pow(y.s, 3));
-                          short_force(proof, 0, 1, altered);
-                        }));
+  all.push_back(
+      mistake("short half film with q^(3/2) for q^(5/2) in the squeeze term", "eq. 8 altered", [](Proof& proof) {
+        const Symbols& y = sym();
+        Polar altered = on_side(short_half(), 1);
+        altered.radial += Pi * y.b * (1 + 2 * pow(y.eps, 2)) / 2 * (1 / pow(y.s, 5) - 1 / pow(y.s, 3));
+        short_force(proof, 0, 1, altered);
+      }));
   all.push_back(mistake("short half film on pi..2pi with the formula of 0..pi", "eqs. 8, 9 not mirrored",
                         [](Proof& proof) { short_force(proof, 1, 2, on_side(short_half(), 1)); }));
-  all.push_back(mistake("long half film of eq. 5 cut at pi is the published one", "eqs. 5, 12, 13", [](Proof& proof) {
-    long_force(proof, 0, 1, on_side(long_half(), 1));
-  }));
+  all.push_back(mistake("long half film of eq. 5 cut at pi is the published one", "eqs. 5, 12, 13",
+                        [](Proof& proof) { long_force(proof, 0, 1, on_side(long_half(), 1)); }));
   all.push_back(mistake("published long half film with pi + 16/(pi D)", "eq. 12 altered", [](Proof& proof) {
     Polar altered = on_side(long_half(), 1);
     altered.radial -= 6 * sym().b / pow(sym().s, 3) * 32 / (Pi * d_factor());
@@ -122,17 +120,16 @@ std::vector<Statement> force_integral_statements() {
   all.push_back(claim("tan(psi/2) = sqrt((1 - eps)/(1 + eps)) tan(theta/2)", "Sommerfeld's substitution", half_angle,
                       "so psi(0) = 0, psi(pi) = pi and psi grows by 2 pi in a turn; the principal arctangent falls by "
                       "2 pi at theta = pi"));
-  all.push_back(claim("the axial integral of the short pressure gives the scale S/2, S = mu R L^3/c^2", "eqs. 6 to 9",
-                      [](Proof& proof) {
-                        const symbol mu("mu"), length("L"), radius("R"), c("c"), z("z");
-                        const ex primitive = z * pow(length, 2) / 4 - pow(z, 3) / 3;
-                        const ex factor = 3 * mu / pow(c, 2);
-                        proof.equal(Algebra(), primitive.diff(z), pow(length, 2) / 4 - pow(z, 2));
-                        proof.equal(Algebra(),
-                                    radius * factor *
-                                        (primitive.subs(z == length / 2) - primitive.subs(z == -length / 2)),
-                                    mu * radius * pow(length, 3) / pow(c, 2) / 2);
-                      }));
+  all.push_back(claim(
+      "the axial integral of the short pressure gives the scale S/2, S = mu R L^3/c^2", "eqs. 6 to 9",
+      [](Proof& proof) {
+        const symbol mu("mu"), length("L"), radius("R"), c("c"), z("z");
+        const ex primitive = z * pow(length, 2) / 4 - pow(z, 3) / 3;
+        const ex factor = 3 * mu / pow(c, 2);
+        proof.equal(Algebra(), primitive.diff(z), pow(length, 2) / 4 - pow(z, 2));
+        proof.equal(Algebra(), radius * factor * (primitive.subs(z == length / 2) - primitive.subs(z == -length / 2)),
+                    mu * radius * pow(length, 3) / pow(c, 2) / 2);
+      }));
   all.push_back(claim("the axial integral of the long pressure gives the scale 6S, S = mu L R^3/c^2", "eqs. 10 to 13",
                       [](Proof& proof) {
                         const symbol mu("mu"), length("L"), radius("R"), c("c");
@@ -147,13 +144,13 @@ std::vector<Statement> force_integral_statements() {
                       [](Proof& proof) { short_force(proof, 1, 2, on_side(short_half(), -1)); }));
   all.push_back(claim("long full film is the integral of eq. 5 over 0..2pi", "eqs. 10, 11",
                       [](Proof& proof) { long_force(proof, 0, 2, long_full()); }));
-  all.push_back(claim("a constant added to the pressure does not change the full film's force", "eqs. 10, 11",
-                      [](Proof& proof) {
-                        const FilmEnd from = film_end_at_half_turns(0);
-                        const FilmEnd to = film_end_at_half_turns(2);
-                        proof.zero(film_algebra(), between(sin(sym().theta), from, to));
-                        proof.zero(film_algebra(), between(-cos(sym().theta), from, to));
-                      }));
+  all.push_back(
+      claim("a constant added to the pressure does not change the full film's force", "eqs. 10, 11", [](Proof& proof) {
+        const FilmEnd from = film_end_at_half_turns(0);
+        const FilmEnd to = film_end_at_half_turns(2);
+        proof.zero(film_algebra(), between(sin(sym().theta), from, to));
+        proof.zero(film_algebra(), between(-cos(sym().theta), from, to));
+      }));
   all.push_back(claim("long half film, a >= 0, is the integral of its pressure, p(0) = p(pi) = 0", "eqs. 12, 13",
                       [](Proof& proof) { published_long_half(proof, 0, 1, on_side(long_half(), 1)); }));
   all.push_back(claim("long half film, a < 0, is the integral of its pressure, p(pi) = p(2pi) = 0",
@@ -163,16 +160,14 @@ std::vector<Statement> force_integral_statements() {
                       [](Proof& proof) { long_force(proof, 0, 1, on_side(long_half_eq5(), 1)); }));
   all.push_back(claim("long half film of eq. 5 cut at pi, a < 0, is the integral of eq. 5 over pi..2pi",
                       "eq. 5 mirrored", [](Proof& proof) { long_force(proof, 1, 2, on_side(long_half_eq5(), -1)); }));
-  all.push_back(claim("short full film with the principal arctangent and its jump at theta = pi", "eqs. 6, 7",
-                      [](Proof& proof) {
-                        equal(proof, film_algebra(), frac(1, 2) * principal_branch_difference(short_primitive(), true),
-                              short_full());
-                      }));
-  all.push_back(claim("long full film with the principal arctangent and its jump at theta = pi", "eqs. 10, 11",
-                      [](Proof& proof) {
-                        equal(proof, film_algebra(), 6 * principal_branch_difference(long_primitive(), true),
-                              long_full());
-                      }));
+  all.push_back(
+      claim("short full film with the principal arctangent and its jump at theta = pi", "eqs. 6, 7", [](Proof& proof) {
+        equal(proof, film_algebra(), frac(1, 2) * principal_branch_difference(short_primitive(), true), short_full());
+      }));
+  all.push_back(
+      claim("long full film with the principal arctangent and its jump at theta = pi", "eqs. 10, 11", [](Proof& proof) {
+        equal(proof, film_algebra(), 6 * principal_branch_difference(long_primitive(), true), long_full());
+      }));
   add_mistakes(all);
   return all;
 }

@@ -127,6 +127,11 @@ Resistance long_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& 
   return {factor * n2 * m.a, factor * e2 * m.e};
 }
 
+GiNaC::exmap in_dynamic_motion() {
+  const Symbols& y = sym();
+  return {{y.a, 2 * y.speed * y.cos_start}, {y.b, y.speed * y.sin_start}};
+}
+
 Polar in_polar_components(Resistance (*law)(const ex&, const ex&, const ex&, const ex&)) {
   // û = r sinθs − t cosθs and û⊥ = r cosθs + t sinθs, so that e₁ = ε sinθs and e₂ = ε cosθs.
   const Symbols& y = sym();

@@ -38,8 +38,8 @@ struct Symbols {
 };
 const Symbols& sym();
 
-ex q();          ///< 1 − ε²
-ex d_factor();   ///< D = 2 + ε²
+ex q();                           ///< 1 − ε²
+ex d_factor();                    ///< D = 2 + ε²
 ex film_at(const ex& cos_theta);  ///< H = 1 + ε cosθ
 
 /// Field of ε, s, σ, the angle θ and everything else as free symbols.
@@ -107,6 +107,9 @@ struct Resistance {
 };
 Resistance short_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& delta);
 Resistance long_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& delta);
+
+/// a = 2|u| cosθs and b = |u| sinθs.
+GiNaC::exmap in_dynamic_motion();
 
 /// The same in polar components, with a = 2|u| cosθs, b = |u| sinθs.
 Polar in_polar_components(Resistance (*law)(const ex&, const ex&, const ex&, const ex&));

@@ -4,9 +4,7 @@
 
 namespace lubjoint::proofs {
 
-FilmEnd film_end_at_half_turns(int half_turns) {
-  return {half_turns % 2 == 0 ? 1 : -1, 0, half_turns * Pi};
-}
+FilmEnd film_end_at_half_turns(int half_turns) { return {half_turns % 2 == 0 ? 1 : -1, 0, half_turns * Pi}; }
 
 FilmEnd dynamic_film_start() { return {sym().cos_start, sym().sin_start, sym().psi_start}; }
 
@@ -65,8 +63,8 @@ ex total_derivative(const ex& expression) {
   const Symbols& y = sym();
   const ex h = film_at(cos(y.theta));
   const ex derivative = expression.diff(y.theta) + expression.diff(y.psi) * y.s / h;
-  return derivative.subs(GiNaC::exmap{{cos(y.psi), cos_psi_of(cos(y.theta))},
-                                      {sin(y.psi), sin_psi_of(cos(y.theta), sin(y.theta))}});
+  return derivative.subs(
+      GiNaC::exmap{{cos(y.psi), cos_psi_of(cos(y.theta))}, {sin(y.psi), sin_psi_of(cos(y.theta), sin(y.theta))}});
 }
 
 ex value_at(const ex& expression, const FilmEnd& end) {
