@@ -89,13 +89,15 @@ void long_form(Proof& proof) {
   proof.equal(f.algebra(), -12 * (wall_moment(proof, f, 1, 1) - m1 * m2 / m0), claimed.across);
 }
 
+/// (H³p′)′ = −12|u| cosφ over μ(R/c)², and with d₂′ = d₁ and d₁′ = −d₂ integration by parts gives
+/// −∫p d₁ = ∫p′ d₂ and −∫p d₂ = −∫p′ d₁ where p vanishes at both ends; `mean` makes ∫p′ = 0.
 void long_field(Proof& proof) {
-  const symbol phi("phi"), speed("speed"), mean("mean"), p("p"), slope("slope");
+  const symbol phi("phi"), speed("speed"), mean("mean"), m0("M0"), m2("M2");
   const Algebra algebra = Algebra().angle(phi);
-  // (H³p′)′ = −12|u| cosφ over 6μ(R/c)²·½; p d₁ = (p d₂)′ − p′ d₂ and p d₂ = −(p d₁)′ + p′ d₁.
   proof.equal(algebra, (-12 * speed * (sin(phi) - mean)).diff(phi), -12 * speed * cos(phi));
-  proof.equal(algebra, p * cos(phi), slope * sin(phi) + p * sin(phi).diff(phi) - slope * sin(phi));
-  proof.equal(algebra, p * sin(phi), -(slope * cos(phi) + p * cos(phi).diff(phi)) + slope * cos(phi));
+  proof.equal(algebra, sin(phi).diff(phi), cos(phi));
+  proof.equal(algebra, cos(phi).diff(phi), -sin(phi));
+  proof.zero(algebra, (m2 - mean * m0).subs(mean == m2 / m0));
 }
 
 /// With δ = sinδ cosδ (1 + 2y/3 + y²ρ), y = q/N², m = −e₁, σ = m√q/N².

@@ -12,10 +12,9 @@ namespace lubjoint::proofs {
 
 std::vector<Statement> all_statements() {
   std::vector<Statement> all;
-  for (const auto group :
-       {reynolds_field_statements, force_integral_statements, dynamic_moment_statements, dynamic_frame_statements,
-        vector_form_statements, limit_statements, symmetry_statements, passivity_statements,
-        pinkus_sternlicht_statements, mechanics_statements, contact_statements}) {
+  for (const auto group : {reynolds_field_statements, force_integral_statements, dynamic_moment_statements,
+                           dynamic_frame_statements, limit_statements, symmetry_statements, passivity_statements,
+                           pinkus_sternlicht_statements, mechanics_statements, contact_statements}) {
     for (Statement& statement : group()) all.push_back(std::move(statement));
   }
   return all;

@@ -78,7 +78,6 @@ std::vector<Statement> reynolds_field_statements();
 std::vector<Statement> force_integral_statements();
 std::vector<Statement> dynamic_moment_statements();
 std::vector<Statement> dynamic_frame_statements();
-std::vector<Statement> vector_form_statements();
 std::vector<Statement> limit_statements();
 std::vector<Statement> symmetry_statements();
 std::vector<Statement> passivity_statements();
