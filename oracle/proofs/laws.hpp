@@ -10,7 +10,7 @@
 namespace lubjoint::proofs {
 
 /// ê and u with the scalars that the laws take from them: ε = |ê|, s = √(1 − ε²), |u|, σ = sgn(a) = −sgn(ê × u),
-/// δ = atan2(s, −ê·u/|u|).
+/// δ = atan2(s, −ê·u/|u|), and the products of ê and u.
 struct PlaneState {
   Planar e_hat;
   Planar u;
@@ -19,6 +19,12 @@ struct PlaneState {
   ex speed;
   ex sigma;
   ex delta;
+  ex e_e;        ///< ê·ê
+  ex e_dot_u;    ///< ê·u
+  ex e_cross_u;  ///< ê × u
+
+  /// The same scalars with other vectors, and the products computed from those.
+  PlaneState with(const Planar& new_e_hat, const Planar& new_u) const;
 };
 
 struct Law {
