@@ -164,10 +164,13 @@ std::vector<Statement> pinkus_sternlicht_statements() {
          const Upper y;
          equal(proof, y.algebra, in_k(k_of(y.k, false), false, true), pinkus_sternlicht(y.k, false));
        }});
-  all.push_back({group, "integral of the long dynamic film's pressure, b > 0", "eqs. 14, 15", not_an_identity,
-                 [](Proof& proof) { is_long_dynamic(proof, true); }, measured_difference(true)});
-  all.push_back({group, "integral of the long dynamic film's pressure, b < 0", "eqs. 16, 17", not_an_identity,
-                 [](Proof& proof) { is_long_dynamic(proof, false); }, measured_difference(false)});
+  for (const bool closing : {true, false}) {
+    all.push_back({group, std::string("integral of the long dynamic film's pressure, b ") + (closing ? "> 0" : "< 0"),
+                   closing ? "eqs. 14, 15" : "eqs. 16, 17", not_an_identity, [closing](Proof& proof) {
+                     proof.remark(measured_difference(closing));
+                     is_long_dynamic(proof, closing);
+                   }});
+  }
   return all;
 }
 
