@@ -93,22 +93,22 @@ void weights(Proof& proof) {
   proof.equal(Algebra(), dry.subs(y.length == y.c + part * y.e0), part);
 }
 
-/// q of the film with clearance c + e₁, e₁ = e₀ + w, w > 0, from |e| = c + e₀ inwards: |e| = c + e₀ − y.
-ex film_q(const Blend& y, const ex& clearance, const ex& length) { return 1 - pow(length / clearance, 2); }
+/// 1 − ε² of a film with the given clearance. The transition uses c + e₁, e₁ = e₀ + w, w > 0.
+ex film_q(const ex& clearance, const ex& length) { return 1 - pow(length / clearance, 2); }
 
 void film_stays_finite(Proof& proof) {
   const Blend y;
   const ex clearance = y.c + y.e0 + y.gap;
-  const ex q_at_seam = film_q(y, clearance, y.c + y.e0) * pow(clearance, 2);
+  const ex q_at_seam = film_q(clearance, y.c + y.e0) * pow(clearance, 2);
   proof.equal(Algebra(), q_at_seam, y.gap * (2 * y.c + 2 * y.e0 + y.gap));
   proof.positive(q_at_seam.normal().expand(), {y.c, y.e0, y.gap});
   // q falls with |e|: it is smallest at the seam.
-  proof.positive((-film_q(y, clearance, y.length).diff(y.length) * pow(clearance, 2)).normal(), {y.length});
+  proof.positive((-film_q(clearance, y.length).diff(y.length) * pow(clearance, 2)).normal(), {y.length});
 }
 
 void film_with_nominal_clearance(Proof& proof) {
   const Blend y;
-  proof.positive((film_q(y, y.c, y.c + y.e0) * pow(y.c, 2)).normal().expand(), {y.c, y.e0});
+  proof.positive((film_q(y.c, y.c + y.e0) * pow(y.c, 2)).normal().expand(), {y.c, y.e0});
 }
 
 }  // namespace

@@ -111,7 +111,8 @@ void add_mistakes(std::vector<Statement>& all) {
 }  // namespace
 
 std::vector<Statement> limit_statements() {
-  const auto& [a, b] = std::tie(sym().a, sym().b);
+  const ex a = sym().a;
+  const ex b = sym().b;
   std::vector<Statement> all;
   add_concentric(all);
   all.push_back(claim("b -> 0: short half is the wedge -eps|a|/q^2, pi a/(4 q^(3/2))", "eqs. 8, 9", [=](Proof& proof) {

@@ -99,6 +99,19 @@ void printed_sign_is_continuous(Proof& proof) {
   proof.equal(y.algebra, y.at_seam(printed.radial.normal()), y.at_seam(closing.radial));
 }
 
+/// Near ê = 0: F = −6πS u + (∂F/∂ê) ê, ∂F/∂ê = −12S|u| I − 9πS u uᵀ/|u|, in polar components and for both signs of b.
+void near_concentric(Proof& proof, const ex& factor) {
+  const Upper y;
+  const auto& [a, b, speed] = std::tie(sym().a, sym().b, sym().speed);
+  const Polar slope{factor * (-12 * speed - 9 * Pi * b * b / speed), factor * (9 * Pi * a * b / (2 * speed))};
+  const GiNaC::exmap concentric{{sym().eps, 0}, {sym().s, 1}, {y.k, speed}};
+  for (const bool closing : {true, false}) {
+    const Polar law = pinkus_sternlicht(y.k, closing);
+    const Polar derivative{y.derivative(law.radial, sym().eps), y.derivative(law.tangential, sym().eps)};
+    equal(proof, y.algebra, derivative.subs(concentric).subs(in_dynamic_motion()), slope.subs(in_dynamic_motion()));
+  }
+}
+
 void is_long_dynamic(Proof& proof, bool closing) {
   const Polar law = pinkus_sternlicht(sym().s * sym().speed, closing).subs(in_dynamic_motion());
   equal(proof, film_algebra(), law, in_polar_components(long_dynamic));
@@ -155,6 +168,10 @@ std::vector<Statement> pinkus_sternlicht_statements() {
                  seam_is_wedge, "K = sqrt(q)|a|/2 at b = 0"});
   all.push_back({group, "once continuously differentiable across b = 0 (in eps, a and b)", "eqs. 14 to 18", holds,
                  [](Proof& proof) { smooth_at_seam(proof, 1); }, "a != 0"});
+  all.push_back({group, "at e = 0 the Jacobian in e is -12 S|u| I - 9 pi S u u^T/|u|", "eqs. 14 to 18", holds,
+                 [](Proof& proof) { near_concentric(proof, 1); }, "it vanishes only where u does"});
+  all.push_back({group, "WRONG: at e = 0 the Jacobian in e vanishes for every u", "eqs. 14 to 18", wrong,
+                 [](Proof& proof) { near_concentric(proof, 0); }});
   all.push_back({group, "WRONG: twice continuously differentiable across b = 0", "eqs. 14 to 18", wrong,
                  [](Proof& proof) { smooth_at_seam(proof, 2); }});
   all.push_back({group, "WRONG: with the printed sign for b < 0 the force is continuous at b = 0", "eq. 16 as printed",

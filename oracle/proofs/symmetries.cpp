@@ -23,7 +23,10 @@ void vector_is_polar(Proof& proof, const std::function<Planar(const PlaneState&)
   state.speed = y.speed;
   state.sigma = y.sigma;
   state.delta = y.delta;
-  const Planar force = vector(state.with(y.eps * r, u));
+  state = state.with(y.eps * r, u);
+  const Planar force = vector(state);
+  // sgn(a) = −sgn(ê × u): ê × u = −εa/2.
+  proof.equal(algebra, state.e_cross_u, (-y.eps * y.a / 2).subs(in_dynamic_motion()));
   proof.equal(algebra, dot(u, u), pow(y.speed, 2));
   equal(proof, algebra, force, polar.radial * r + polar.tangential * t);
 }
