@@ -15,7 +15,12 @@ std::vector<Statement> all_statements() {
   for (const auto group : {reynolds_field_statements, force_integral_statements, dynamic_moment_statements,
                            dynamic_frame_statements, limit_statements, symmetry_statements, passivity_statements,
                            pinkus_sternlicht_statements, mechanics_statements, contact_statements}) {
-    for (Statement& statement : group()) all.push_back(std::move(statement));
+    for (Statement& statement : group()) {
+      // Beside the others of its group, in the order in which the groups first appear.
+      const auto same_group = [&](const Statement& other) { return other.group == statement.group; };
+      const auto last = std::find_if(all.rbegin(), all.rend(), same_group);
+      all.insert(last == all.rend() ? all.end() : last.base(), std::move(statement));
+    }
   }
   return all;
 }

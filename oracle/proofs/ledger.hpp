@@ -3,6 +3,9 @@
 /// A statement is a list of identities. An identity is proved when the difference of its sides normalises to zero in a
 /// field of rational functions with square roots (algebra.hpp); it is refuted when a non-zero normal form is left. No
 /// step samples numbers. Wrong statements stand in the ledger too: a prover that cannot fail would prove them.
+///
+/// GiNaC counts references without locks: one thread at a time. It orders the terms of a sum by addresses, so the
+/// remainders quoted in the notes may come in another order in another run; the verdicts do not change.
 #pragma once
 
 #include <functional>
@@ -55,7 +58,7 @@ struct ProofResult {
 /// Called after every statement with its result, its place (from 1) and the number of statements.
 using Progress = std::function<void(const ProofResult&, std::size_t, std::size_t)>;
 
-/// Every statement of the ledger, in the order of the groups.
+/// Every statement of the ledger, group by group.
 std::vector<Statement> all_statements();
 
 /// Examines one statement. Never throws: what the algebra could not do is an undecided result.

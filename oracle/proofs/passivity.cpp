@@ -24,7 +24,9 @@ Form form_of(const Polar& law) {
           reduced.coeff(magnitude, 0).coeff(sym().b, 2)};
 }
 
-/// −F·u = A(|a| + Bb/A)² + (C − B²/A) b², and `rest` = (C − B²/A) · (positive) in π, ε.
+/// −F·u = A(|a| + Bb/A)² + (C − B²/A) b² with A = `leading`, and (C − B²/A) · `positive` = `rest`, a polynomial in π
+/// and ε. `leading` and `positive` are products of positive quantities (π, s, D, 1 + ε); `rest` is shown to be
+/// positive.
 void sum_of_squares(Proof& proof, const Polar& law, const ex& leading, const ex& positive, const ex& rest) {
   const auto& [a, b, sigma] = std::tie(sym().a, sym().b, sym().sigma);
   const Algebra algebra = film_algebra();
@@ -110,8 +112,8 @@ std::vector<Statement> passivity_statements() {
                  pinkus_sternlicht_power, "b >= 0: every term is; b < 0: a sum of two squares in K and B"});
   all.push_back({group, "dynamic films: -F.u is made of V, A and W, integrals of squares", "exact dynamic film", holds,
                  dynamic_power});
-  all.push_back({group, "WRONG: short full: the two squares without the factor 1 + 2 eps^2 halved", "eqs. 6, 7 altered",
-                 wrong, [](Proof& proof) { short_full_power(proof, frac(1, 2)); }});
+  all.push_back({group, "WRONG: short full: the same squares, the first one halved", "eqs. 6, 7 altered", wrong,
+                 [](Proof& proof) { short_full_power(proof, frac(1, 2)); }});
   all.push_back({group, "WRONG: short half: the same squares with pi^2 - 16 eps^2 for the smaller coefficient",
                  "eqs. 8, 9 altered", wrong, [=](Proof& proof) {
                    sum_of_squares(proof, short_half(), p / (8 * pow(ss, 3)), 2 * p * pow(ss, 5), p * p - 16 * e * e);
