@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
 #include <iostream>
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
-#include "oracle/reports/csv_table.hpp"
+#include "oracle/cli/state_rows.hpp"
 #include "oracle/reports/files.hpp"
 
 namespace lubjoint::cli {
@@ -13,30 +11,17 @@ namespace {
 
 template <FilmLaw Law>
 std::string forces(const reports::CsvTable& states, const Bearing<double>& bearing, const Lubricant<double>& oil) {
-  const std::size_t ratio = states.column("eccentricity_ratio");
-  const std::size_t slip = states.column("slip_rate");
-  const std::size_t squeeze = states.column("squeeze_rate");
-  constexpr bool dynamic = Law::extent == FilmExtent::dynamic;
-  std::string csv = states.header() + ",radial,tangential" + (dynamic ? ",theta_s,theta_e\n" : "\n");
-  for (std::size_t row = 0; row < states.rows(); ++row) {
-    try {
-      const PolarFilmState<double> state(states.number(row, ratio), states.number(row, slip),
-                                         states.number(row, squeeze));
-      const PolarForce<double> force = film_force<Law>(bearing, oil, state);
-      if (!std::isfinite(force.radial) || !std::isfinite(force.tangential)) {
-        states.refuse(row, "the force is beyond the range of double precision; allowed are smaller rates");
-      }
-      csv += fmt::format("{},{},{}", states.line(row), force.radial, force.tangential);
-      if constexpr (dynamic) {
-        const FilmBounds<double> bounds = film_bounds(Law::extent, state);
-        csv += fmt::format(",{},{}", bounds.start, bounds.end);
-      }
-      csv += '\n';
-    } catch (const FilmDomainError& error) {
-      states.refuse(row, error.what());
+  std::vector<std::string> names = {"radial", "tangential"};
+  if constexpr (Law::extent == FilmExtent::dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
+  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+    const PolarForce<double> force = film_force<Law>(bearing, oil, state);
+    std::vector<double> answer = {force.radial, force.tangential};
+    if constexpr (Law::extent == FilmExtent::dynamic) {
+      const FilmBounds<double> bounds = film_bounds(Law::extent, state);
+      answer.insert(answer.end(), {bounds.start, bounds.end});
     }
-  }
-  return csv;
+    return answer;
+  });
 }
 
 }  // namespace
