@@ -86,6 +86,7 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
   ScaledForce result;
   std::vector<Eigen::Vector2d> forces;
   std::unique_ptr<CavitatedGrid> grid;
+  Eigen::Vector2d last_estimate = Eigen::Vector2d::Zero();
   for (std::size_t last = 0; last < steps_along.size(); ++last) {
     grid = next_grid(film, pinned, steps_along[last], grid.get());
     forces.push_back(grid->force());
@@ -96,13 +97,19 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
     const Eigen::Vector2d drift = (fit.value - other.value).cwiseAbs();
     const double rounding = grid->unknowns() * std::numeric_limits<double>::epsilon() * fit.value.norm();
     result.value = fit.value;
-    result.error = standard_errors * fit.standard_error + drift + Eigen::Vector2d::Constant(rounding);
+    Eigen::Vector2d estimate = standard_errors * fit.standard_error + drift + Eigen::Vector2d::Constant(rounding);
     result.unknowns = grid->unknowns();
     result.observed_order = order_of_convergence(forces, fit.value);
     // Where the grids do not yet converge at second order, the extrapolation is worth no more than its finest grid.
     if (!(std::abs(result.observed_order - 2) < order_margin)) {
-      result.error = result.error.cwiseMax((forces.back() - fit.value).cwiseAbs());
+      estimate = estimate.cwiseMax((forces.back() - fit.value).cwiseAbs());
     }
+    // r falls like h²: an estimate that falls faster than that from one grid to the next agrees by chance. The first
+    // has nothing to be compared with and ends nothing.
+    const double refinement = static_cast<double>(steps_along[last - 1]) / steps_along[last];
+    result.error = estimate.cwiseMax(refinement * refinement * last_estimate);
+    last_estimate = estimate;
+    if (last + 1 == fitted) continue;
     if (result.error.norm() <= relative_tolerance * result.value.norm()) break;
   }
   return result;

@@ -14,7 +14,8 @@ namespace lubjoint::oracle {
 /// r is the rounding of the free boundary to the nodes, as large as h² but without a trend. F₀ and C are fitted by
 /// least squares to the grids within a factor of two or so of the finest, each weighted by the inverse variance of its
 /// r. The error estimate is the fit's standard error times Student's t for 99.9 %, plus the change from an earlier fit,
-/// which sees what is systematic; where the observed order is far from 2, at least what the extrapolation changed.
+/// which sees what is systematic; it is not let fall faster than h² from the grid before; where the observed order is
+/// far from 2, at least what the extrapolation changed.
 /// @param pinned  P = 0 along the maximum film
 ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance);
 
