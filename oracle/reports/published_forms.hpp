@@ -77,8 +77,9 @@ class DynamicIntegrals {
 
 /// Terms of the law of that name. The dynamic laws have one term a component: their accuracy is stated against |F|.
 /// @param epsilon  0 ≤ ε < 1;  @param a, b  not both zero
+/// @param side  half films: +1 film on 0…π, −1 on π…2π, 0: where the sign of a says
 template <class R>
-PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const R& a, const R& b) {
+PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const R& a, const R& b, int side = 0) {
   using std::abs;
   using std::pow;
   using std::sqrt;
@@ -88,19 +89,19 @@ PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const 
   const R q12 = sqrt(q);
   const R q32 = q * q12;
   const R q52 = q * q * q12;
-  const R sgn = a < 0 ? R(-1) : R(1);
+  const R sgn = side ? R(side) : a < 0 ? R(-1) : R(1);
   const R short_squeeze = pi * b * (1 + 2 * epsilon * epsilon) / q52;
   if (law == "short_full") return {{-short_squeeze}, {pi * a / (2 * q32)}};
   if (law == "short_half") {
-    return {{-epsilon * abs(a) / (q * q), -short_squeeze / 2}, {pi * a / (4 * q32), sgn * 2 * epsilon * b / (q * q)}};
+    return {{-epsilon * sgn * a / (q * q), -short_squeeze / 2}, {pi * a / (4 * q32), sgn * 2 * epsilon * b / (q * q)}};
   }
   if (law == "long_full") return {{-12 * pi * b / q32}, {12 * pi * a / (d * q12)}};
   if (law == "long_half") {
-    return {{-12 * epsilon * abs(a) / (d * q), -6 * pi * b / q32, 96 * b / (pi * d * q32)},
+    return {{-12 * epsilon * sgn * a / (d * q), -6 * pi * b / q32, 96 * b / (pi * d * q32)},
             {6 * pi * a / (d * q12), sgn * 24 * epsilon * b / (d * q)}};
   }
   if (law == "long_half_eq5") {
-    return {{-12 * epsilon * abs(a) / (d * q), -6 * pi * b / q32},
+    return {{-12 * epsilon * sgn * a / (d * q), -6 * pi * b / q32},
             {6 * pi * a / (d * q12), sgn * 24 * b / ((1 + epsilon) * q)}};
   }
   if (law == "pinkus_sternlicht") {
