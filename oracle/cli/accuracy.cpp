@@ -22,9 +22,10 @@ void add_accuracy(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "CSV file to write, all rows");
   command->add_option("--directions", options->directions, "Random directions of motion at each ratio")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
-  command->add_option("--seed", options->seed, "Seed of the directions");
+  command->add_option("--seed", options->seed, "Seed of the directions, 0 or more")->check(CLI::NonNegativeNumber);
   command->callback([options, &action] {
     action = [options] {
+      if (options->out) reports::prepare_file(*options->out);
       const auto rows = reports::measure_accuracy(options->directions, options->seed);
       if (options->out) reports::write_file(*options->out, reports::accuracy_csv(rows));
       std::cout

@@ -71,7 +71,7 @@ std::size_t CsvTable::column(std::string_view name) const {
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   std::string_view field = rows_[row].fields[column];
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool complete = error == std::errc() && end == field.data() + field.size();

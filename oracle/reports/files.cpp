@@ -22,16 +22,25 @@ fs::path beside(const fs::path& file) {
 void prepare_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
+  if (error || !fs::is_directory(folder, error)) {
     throw OutputError("output folder \"" + folder.string() +
-                      "\" can't be made: " + (error ? error.message() : std::string("a file of that name is there")));
+                      "\" can't be made: " + (error ? error.message() : std::string("a file of that name is there")) +
+                      "; allowed is a folder that can be written to");
   }
   const fs::path probe = beside(folder / "probe");
   std::ofstream stream(probe);
   const bool writable = static_cast<bool>(stream);
   stream.close();
   fs::remove(probe, error);
-  if (!writable) throw OutputError("output folder \"" + folder.string() + "\" is not writable");
+  if (!writable) throw OutputError("output folder \"" + folder.string() + "\" is not writable; allowed is one that is");
+}
+
+void prepare_file(const fs::path& file) {
+  std::error_code error;
+  if (file.filename().empty() || fs::is_directory(file, error)) {
+    throw OutputError("output file \"" + file.string() + "\" is a folder; allowed is the name of a file");
+  }
+  prepare_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
 }
 
 void write_file(const fs::path& file, std::string_view content) {
