@@ -25,7 +25,7 @@ template <FilmLaw Law>
 JournalEquilibrium find(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
   const double spin_sum = 2 * parts.drive.mean_spin();
-  const double load = parts.drive.load.norm();
+  const double load = std::hypot(parts.drive.load.x(), parts.drive.load.y());  // a square would underflow
   if (load > 0 && spin_sum == 0) {
     throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
                      ": bodies[0].spin is 0; allowed is a spin other than 0, or nothing carries the load");

@@ -1,6 +1,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -176,11 +177,14 @@ Scene load_scene(const std::filesystem::path& file) {
     throw SceneError(name + ": is a folder; allowed is a scene file (TOML)");
   }
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
+  std::string text;
+  std::array<char, 4096> piece{};
+  while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
   try {
-    const toml::table table = toml::parse(text.str(), name);
+    const toml::table table = toml::parse(text, name);
     return read_scene(TableReader(table, name, ""), name);
   } catch (const toml::parse_error& failure) {
     throw SceneError(name + ":" + std::to_string(failure.source().begin.line) +

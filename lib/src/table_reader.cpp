@@ -24,6 +24,23 @@ std::string shown(const toml::node& node) {
   return text.str();
 }
 
+/// One line, whatever a string of the file holds.
+std::string printable(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      line += "\\n";
+    } else if (code < 0x20 || code == 0x7f) {
+      constexpr std::string_view digits = "0123456789abcdef";
+      line += std::string("\\x") + digits[code / 16] + digits[code % 16];
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
 std::string allowed_number(Allowed allowed, std::string_view unit) {
   std::string words = allowed == Allowed::positive       ? "a finite number above 0"
                       : allowed == Allowed::not_negative ? "a finite number, 0 or more"
@@ -42,7 +59,7 @@ std::string TableReader::key_path(std::string_view key) const {
 }
 
 void TableReader::fail(const toml::source_region& where, const std::string& what) const {
-  throw SceneError(file_ + ":" + std::to_string(where.begin.line) + ": " + what);
+  throw SceneError(file_ + ":" + std::to_string(where.begin.line) + ": " + printable(what));
 }
 
 void TableReader::refuse(std::string_view key, const std::string& given, const std::string& allowed) const {

@@ -53,8 +53,8 @@ CsvTable::CsvTable(std::string_view text, std::string name) : name_(std::move(na
     row.fields = split(row.text);
     if (row.fields.size() == columns_.size()) continue;
     throw CsvError(name_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.fields.size()) +
-                   " fields; the header has " + std::to_string(columns_.size()) +
-                   " (fields are separated by commas, decimals by points)");
+                   " fields; allowed are " + std::to_string(columns_.size()) +
+                   ", as in the header (commas between fields, points in decimals)");
   }
 }
 
@@ -63,8 +63,9 @@ std::size_t CsvTable::column(std::string_view name) const {
   if (count != 1) {
     std::string there;
     for (const std::string& known : columns_) there += (there.empty() ? "" : ", ") + known;
-    throw CsvError(name_ + ":1: column \"" + std::string(name) + "\" is " + (count ? "there twice" : "missing") +
-                   "; the header has " + there);
+    throw CsvError(name_ + ":1: column \"" + std::string(name) + "\" is " +
+                   (count ? "there more than once" : "missing") + "; required is one such column, and the header has " +
+                   there);
   }
   return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
 }

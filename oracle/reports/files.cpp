@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace lubjoint::reports {
 
@@ -63,19 +63,26 @@ void write_file(const fs::path& file, std::string_view content) {
   }
 }
 
-std::string read_input(const std::string& name) {
-  std::ostringstream text;
-  if (name == "-") {
-    text << std::cin.rdbuf();
-    return text.str();
+namespace {
+std::string read_all(std::istream& stream) {
+  std::string text;
+  std::array<char, 65536> piece{};
+  while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
   }
+  return text;
+}
+}  // namespace
+
+std::string read_input(const std::string& name) {
+  if (name == "-") return read_all(std::cin);
   std::error_code error;
   std::ifstream stream(name, std::ios::binary);
-  if (fs::is_directory(name, error) || !stream) {
+  const std::string text = read_all(stream);
+  if (fs::is_directory(name, error) || !stream.is_open() || stream.bad()) {
     throw std::invalid_argument("\"" + name + "\" can't be read; allowed is a file, or - for standard input");
   }
-  text << stream.rdbuf();
-  return text.str();
+  return text;
 }
 
 std::string number(double value) { return fmt::format("{}", value); }
