@@ -147,11 +147,11 @@ TEST_CASE("Options: force refuses tables that are none, with the line") {
   check_states_refused("\xEF\xBB\xBF", {"required is a header row"});
   check_states_refused("0.5,1,0.2\n", {"standard input:1: column \"eccentricity_ratio\" is missing", "0.5, 1, 0.2"});
   check_states_refused("eccentricity_ratio,slip_rate\n0.5,1\n", {":1: column \"squeeze_rate\" is missing"});
-  check_states_refused("eccentricity_ratio,slip_rate,squeeze_rate,slip_rate\n0.5,1,1,1\n", {"there twice"});
+  check_states_refused("eccentricity_ratio,slip_rate,squeeze_rate,slip_rate\n0.5,1,1,1\n", {"there more than once"});
   check_states_refused("Eccentricity_Ratio,slip_rate,squeeze_rate\n0.5,1,1\n", {"is missing"});
-  check_states_refused(header + "0.5,1\n", {"standard input:2: 2 fields; the header has 3"});
-  check_states_refused(header + "0.5,1,1,1\n", {":2: 4 fields; the header has 3"});
-  check_states_refused(header + "0,5,1,5,0,2\n", {":2: 6 fields", "decimals by points"});
+  check_states_refused(header + "0.5,1\n", {"standard input:2: 2 fields; allowed are 3"});
+  check_states_refused(header + "0.5,1,1,1\n", {":2: 4 fields; allowed are 3"});
+  check_states_refused(header + "0,5,1,5,0,2\n", {":2: 6 fields", "points in decimals"});
   check_states_refused("eccentricity_ratio;slip_rate;squeeze_rate\n0,5;1,5;0,2\n", {"allowed"});
   check_states_refused(header + "0.5,1,1\n\n0.5,1,1\n", {":3: empty line; allowed is a row"});
   check_states_refused(std::string("\x7f"
