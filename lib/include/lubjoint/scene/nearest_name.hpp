@@ -25,13 +25,14 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// The name that differs least from the one given; empty if none is close (more than one letter and half of them off).
+/// The name that differs least from the one given; empty if none is close (more than one letter and a third of them
+/// off).
 template <class Names>
 std::string nearest_name(const Names& names, std::string_view given) {
   const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
     return edit_distance(a, given) < edit_distance(b, given);
   });
-  if (nearest == names.end() || edit_distance(*nearest, given) > 1 + given.size() / 2) return {};
+  if (nearest == names.end() || edit_distance(*nearest, given) > 1 + given.size() / 3) return {};
   return std::string(*nearest);
 }
 
