@@ -2,6 +2,7 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
+#include "oracle/cli/name_option.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/reports/files.hpp"
 
@@ -44,7 +45,7 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_film_law(options->law);
+      require_name("--law", options->law, film_law_names);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       const reports::CsvTable states(reports::read_input(options->states),
