@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generators.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 using generate::Vec;
@@ -29,7 +30,7 @@ Vec slope_in_squeeze(double epsilon, double a, double b) {
 TEST_CASE("as ε → 0 the force of every law tends to its value at ε = 0 in the same frame") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("|F(ε) - F(0)| ≤ 60 ε |F(0)|", [] {
+    rc::prop(of_law<Law>("|F(ε) - F(0)| ≤ 60 ε |F(0)|"), [] {
       const double epsilon = *generate::log_uniform(-14, -3);
       const auto rates = *generate::rates();
       const PolarForce<double> near = polar_force_ratio<Law>(generate::polar_state(epsilon, rates));
@@ -68,7 +69,7 @@ TEST_CASE("at e = 0 the laws that are isotropic there answer any velocity with t
 TEST_CASE("as b → 0 from either side the force of every law tends to that at b = 0") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("|F(b) - F(0)| ≤ K |b|, b = ±10^-k", [] {
+    rc::prop(of_law<Law>("|F(b) - F(0)| ≤ K |b|, b = ±10^-k"), [] {
       const double epsilon = *generate::moderate_ratio();
       const double a = *rc::gen::element(2.0, -2.0);
       const double b = *rc::gen::element(1.0, -1.0) * *generate::log_uniform(-14, -4);
@@ -97,7 +98,7 @@ TEST_CASE("with b = 0 Pinkus and Sternlicht's film and the exact dynamic films a
 TEST_CASE("the dynamic laws and Pinkus and Sternlicht's are once continuously differentiable across b = 0") {
   const auto smooth = []<FilmLaw Law>() {
     INFO(Law::name);
-    rc::prop("∂F/∂b at b = +10^-k and -10^-k differ by O(10^-k)", [] {
+    rc::prop(of_law<Law>("∂F/∂b at b = +10^-k and -10^-k differ by O(10^-k)"), [] {
       const double epsilon = *generate::moderate_ratio();
       const double a = *rc::gen::element(2.0, -2.0);
       const double b = *generate::log_uniform(-10, -4);

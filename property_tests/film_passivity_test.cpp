@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generators.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 using generate::Vec;
@@ -18,17 +19,18 @@ double cosine_of_power(const FilmState<double>& film) {
 
 }  // namespace
 
-// Proofs, by law. In polar form F·u = F_r b − F_t a/2 is a quadratic form in b and |a|.
+// Why, by law. In polar form F·u = F_r b − F_t a/2 is a quadratic form in b and |a|.
 // Full films: both squares have negative coefficients and there is no product.
-// short_half: half of that, and the product −(3ε/q²)|a|b: its square 9ε²/q⁴ stays below 4·π²(1+2ε²)/(16q⁴) for ε < 1.
-// long_half, long_half_eq5: the same with 24ε/(Dq) and 12ε/(Dq) + 12/((1+ε)q): √q times the product stays below
-// 2√(coefficients) by a fifth at least, over all ε; long_half_eq5 is passive too, though its force at e = 0 is turned.
-// short_dynamic: −F·u is W ≥ 0, an integral of a square. long_dynamic: a variance.
-// pinkus_sternlicht: with s = ê·u, −F·u is (6S/(Dq^{3/2}))[4Ks + 3πφs² + 2πφq|u|²], K = √q|u|, φ ≥ ½ for b < 0.
+// short_half: half of that, and the product −(2ε/q²)|a|b; 4ε²/q⁴ is less than 4·π²(1 + 2ε²)/(16q⁴).
+// long_half, long_half_eq5: the product has 24ε/(Dq), and 12ε/(Dq) + 12/((1 + ε)q). Over 2√ of the product of the
+// squares' coefficients that is at most 0.77, and 0.65 (ε → 1): long_half_eq5 is passive too, though its force is
+// turned. short_dynamic: −F·u is |u|²W, an integral of a square. long_dynamic: a variance. pinkus_sternlicht: for s =
+// ê·u ≥ 0 all terms of 4Ks + 3πφs² + 2πφq|u|² are positive; for s = −σ|u| < 0 the sum times t/K is |u|²(2πq − 4√q σ +
+// (3π − 6)σ²), whose discriminant 16 − 8π(3π − 6) is negative.
 TEST_CASE("in the frame of the mean spin every law takes energy from the journal: F·u ≤ 0") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F·u < 0 for u ≠ 0", [] {
+    rc::prop(of_law<Law>("F·u < 0 for u ≠ 0"), [] {
       const FilmState<double> film = (*generate::film()).in_own_frame();
       RC_ASSERT(cosine_of_power<Law>(film) < 0);
     });

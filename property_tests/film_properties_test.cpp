@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generators.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 using generate::Vec;
@@ -31,7 +32,7 @@ const Lubricant<double> one_oil(0.4);
 
 TEST_CASE("full films are linear in u") {
   const auto linear = []<FilmLaw Law>() {
-    rc::prop("F(e, u + w) = F(e, u) + F(e, w)", [] {
+    rc::prop(of_law<Law>("F(e, u + w) = F(e, u) + F(e, w)"), [] {
       const Vec e(*generate::moderate_ratio(), 0);
       const Vec u = generate::direction_at(*generate::angle());
       const Vec w = generate::direction_at(*generate::angle());
@@ -63,7 +64,7 @@ TEST_CASE("films that cavitate are not linear in u: counterexample, u and -u at 
 TEST_CASE("the derivative of every law in u, applied to u, is its force: homogeneity of degree one") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("(∂F/∂u) u = F", [] {
+    rc::prop(of_law<Law>("(∂F/∂u) u = F"), [] {
       using Dual = Eigen::AutoDiffScalar<Eigen::Vector2d>;
       const FilmState<double> film = (*generate::moderate_film()).in_own_frame();
       const Vector2<Dual> e(Dual(film.eccentricity.x(), Vec::Zero()), Dual(film.eccentricity.y(), Vec::Zero()));
@@ -80,7 +81,7 @@ TEST_CASE("the derivative of every law in u, applied to u, is its force: homogen
 TEST_CASE("every film force is linear in the viscosity, and scales with L, R and c as its S") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("2^k in μ, L, R and c scales the force exactly", [] {
+    rc::prop(of_law<Law>("2^k in μ, L, R and c scales the force exactly"), [] {
       const Bearing<double> b = *generate::bearing();
       const Lubricant<double> oil = *generate::oil();
       const PolarFilmState<double> film = *generate::film();
@@ -100,7 +101,7 @@ TEST_CASE("every film force is linear in the viscosity, and scales with L, R and
       const Bearing<double> tighter(b.length(), b.radius(), b.clearance() / power);
       RC_ASSERT(is_scaled(film_force<Law>(tighter, oil, film), power * power));
     });
-    rc::prop("any factor in μ scales the force to rounding", [] {
+    rc::prop(of_law<Law>("any factor in μ scales the force to rounding"), [] {
       const double viscosity = (*generate::oil()).viscosity();
       const double factor = *generate::log_uniform(-3, 3);
       const PolarFilmState<double> film = *generate::film();
@@ -116,7 +117,7 @@ TEST_CASE("every film force is linear in the viscosity, and scales with L, R and
 TEST_CASE("the mirror image of a motion has the mirror image of its force, wherever a ≠ 0 or the law has no jump") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F_r(ε, -a, b) = F_r(ε, a, b) and F_t(ε, -a, b) = -F_t(ε, a, b), bit for bit", [] {
+    rc::prop(of_law<Law>("F_r(ε, -a, b) = F_r(ε, a, b) and F_t(ε, -a, b) = -F_t(ε, a, b), bit for bit"), [] {
       const PolarFilmState<double> film = *generate::film();
       if (Law::extent == FilmExtent::half) RC_PRE(film.slip_rate != 0);
       const PolarForce<double> here = polar_force_ratio<Law>(film);
@@ -143,7 +144,7 @@ TEST_CASE("sgn(0) = +1 breaks the mirror of half films at a = 0: counterexample,
 TEST_CASE("a film force turns with e and u when both are turned") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F(Qe, Qu) = Q F(e, u)", [] {
+    rc::prop(of_law<Law>("F(Qe, Qu) = Q F(e, u)"), [] {
       const PolarFilmState<double> polar = *generate::moderate_film();
       if (Law::extent == FilmExtent::half) RC_PRE(std::abs(polar.slip_rate) > 1e-9);  // not on the jump
       const FilmState<double> film = polar.in_own_frame();
@@ -159,7 +160,7 @@ TEST_CASE("a film force turns with e and u when both are turned") {
 TEST_CASE("polar and vector evaluation of every law are one") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F = F_r r + F_t t", [] {
+    rc::prop(of_law<Law>("F = F_r r + F_t t"), [] {
       const PolarFilmState<double> polar = *generate::film();
       const Vec in_plane = force_ratio<Law>(polar.in_own_frame());
       const PolarForce<double> ratio = polar_force_ratio<Law>(polar);

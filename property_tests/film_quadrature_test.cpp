@@ -4,6 +4,7 @@
 
 #include "generators.hpp"
 #include "oracle/reynolds/film_integral.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 
@@ -11,7 +12,7 @@ TEST_CASE("the force of each of the seven exact laws is the integral of its own 
   for (const oracle::OneDimensionalFilmEntry& entry : oracle::one_dimensional_films) {
     with_film_law(entry.name, [&]<class Law>() {
       INFO(Law::name);
-      rc::prop("film_force = R∬ p (cosθ, sinθ) dθ dz", [&] {
+      rc::prop(of_law<Law>("film_force = R∬ p (cosθ, sinθ) dθ dz"), [&] {
         const Bearing<double> bearing = *generate::bearing();
         const Lubricant<double> oil = *generate::oil();
         const PolarFilmState<double> film = *generate::film();

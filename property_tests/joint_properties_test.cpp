@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generators.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 using generate::Vec;
@@ -36,7 +37,7 @@ PolarFilmState<double> state_with_relative_spin(const JournalMotion<double>& m) 
 TEST_CASE("a joint's wrenches have no resultant and no moment about any point, whatever the joint and its film") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("ΣF = 0, ΣM = 0", [] {
+    rc::prop(of_law<Law>("ΣF = 0, ΣM = 0"), [] {
       const generate::JointedPair pair = *generate::jointed_pair();
       const Vec point(*generate::uniform(-10, 10), *generate::uniform(-10, 10));
       const JointKinematics<double> joint = pair.kinematics();
@@ -61,7 +62,7 @@ TEST_CASE("without the transport moment two free bodies would gain angular momen
 TEST_CASE("two free bodies joined by a film alone keep their linear and angular momentum") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("d/dt Σ m v = 0, d/dt Σ (r × m v + I ω) = 0", [] {
+    rc::prop(of_law<Law>("d/dt Σ m v = 0, d/dt Σ (r × m v + I ω) = 0"), [] {
       const generate::JointedPair pair = *generate::jointed_pair();
       const double mass_i = *generate::log_uniform(-2, 1);
       const double mass_j = *generate::log_uniform(-2, 1);
@@ -86,7 +87,7 @@ TEST_CASE("two free bodies joined by a film alone keep their linear and angular 
 TEST_CASE("a rotation of the whole system, with a spin, turns the film's force with it and changes nothing else") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F(rotated) = Q F, moments equal", [] {
+    rc::prop(of_law<Law>("F(rotated) = Q F, moments equal"), [] {
       const generate::JointedPair pair = *generate::jointed_pair();
       const generate::Rotation by = *generate::rotation();
       const generate::JointedPair moved = rotated(pair, by);
