@@ -77,7 +77,8 @@ class RadauIIA5 {
     if (!started_ || x != x_ || t != t_) begin_at(x, t);
     try {
       if (!jacobian_is_current_) {
-        evaluate(parts.first, x_, t_, f_);
+        if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
+        rate_is_current_ = true;
         parts.second(x_, jacobian_, t_);
         if (!jacobian_.allFinite() || !f_.allFinite()) return fail(dt, R(0.5));
         jacobian_is_current_ = true;
@@ -88,6 +89,10 @@ class RadauIIA5 {
       if (!solve_stages(parts.first, dt, newton_rate)) return fail(dt, R(0.5));
       R error = estimate(parts.first, dt);
       if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
+      if (error < 1) {  // the end of the step is a trial state too; its rate begins the next step
+        evaluate(parts.first, displaced(z_[2]), t_ + dt, f_end_);
+        if (!f_end_.allFinite()) return fail(dt, R(0.5));
+      }
       return finish(x, t, dt, std::max<R>(error, R(1e-10)));
     } catch (const std::domain_error&) {
       return fail(dt, R(0.5));
@@ -135,6 +140,7 @@ class RadauIIA5 {
     x_ = x;
     t_ = t;
     started_ = true;
+    rate_is_current_ = false;
     jacobian_is_current_ = false;
     first_step_ = true;
     last_failed_ = false;
@@ -276,6 +282,8 @@ class RadauIIA5 {
     x = x_;
     t = t_;
     set_scale();
+    f_ = f_end_;
+    rate_is_current_ = true;
     jacobian_is_current_ = false;
     R next = dt / shrink;
     if (last_failed_) next = std::min(next, dt);
@@ -295,11 +303,13 @@ class RadauIIA5 {
   bool first_step_ = true;
   bool last_failed_ = false;
   bool has_old_step_ = false;
+  bool rate_is_current_ = false;
   bool jacobian_is_current_ = false;
   state_type x_{};
   R t_ = 0;
   Vector scale_;
   Vector f_;
+  Vector f_end_;  ///< at the end of the trial step
   Matrix jacobian_;
   R factorised_for_ = 0;
   Eigen::PartialPivLU<Matrix> real_;
