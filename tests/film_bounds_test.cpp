@@ -9,7 +9,7 @@ namespace {
 constexpr double half_turn = std::numbers::pi;
 }
 
-TEST_CASE("the dynamic film begins at atan2(2b, a) in (-π, π] and is half a turn long") {
+TEST_CASE("the dynamic film begins at atan2(2b, a), between -π and π, and is half a turn long") {
   struct Case {
     double a, b, start;
   };

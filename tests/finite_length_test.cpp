@@ -295,7 +295,7 @@ TEST_CASE("finite length: turning the wedge round mirrors the force, bit for bit
   }
 }
 
-TEST_CASE("finite length: in a steady wedge a pinned onset turns the force; in squeeze it changes nothing") {
+TEST_CASE("finite length: in a steady wedge a pinned onset turns the force, and in squeeze it changes nothing") {
   const FiniteLengthOptions free{1e-4, FilmOnset::free};
   const FiniteLengthOptions pinned{1e-4, FilmOnset::maximum_film};
   const auto angle = [&](const PolarFilmState<double>& state, const FiniteLengthOptions& options) {
