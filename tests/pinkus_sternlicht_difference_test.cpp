@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-using namespace lubjoint::oracle;
+using namespace lubjoint::reports;
 
 TEST_CASE("Pinkus-Sternlicht differs from a closing long dynamic film by 6 % in the median and by at most 11.4 %") {
   const auto differences = pinkus_sternlicht_difference(DifferenceGrid::uniform(0.97, 97, 180));

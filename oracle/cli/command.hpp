@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -17,6 +20,10 @@ void add_force(CLI::App& app, Action& action);
 void add_equilibrium(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);
 void add_accuracy(CLI::App& app, Action& action);
+void add_oracle(CLI::App& app, Action& action);
+void add_model_error(CLI::App& app, Action& action);
+void add_bench(CLI::App& app, Action& action);
+void add_prove(CLI::App& app, Action& action);  // where the proofs are built
 
 /// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed
 inline void require_option(const std::string& name, double given, bool allowed, const std::string& words) {

@@ -3,8 +3,10 @@
 #include <iostream>
 
 #include "oracle/cli/command.hpp"
+#include "oracle/reports/files.hpp"
 
 int main(int argc, char** argv) {
+  lubjoint::reports::remove_temporary_files_on_interrupt();
   CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
   app.require_subcommand(1);
   app.set_version_flag("--version", LUBJOINT_VERSION);
@@ -13,7 +15,13 @@ int main(int argc, char** argv) {
   lubjoint::cli::add_simulate(app, action);
   lubjoint::cli::add_force(app, action);
   lubjoint::cli::add_equilibrium(app, action);
+  lubjoint::cli::add_oracle(app, action);
+  lubjoint::cli::add_model_error(app, action);
   lubjoint::cli::add_accuracy(app, action);
+  lubjoint::cli::add_bench(app, action);
+#if LUBJOINT_HAS_PROOFS
+  lubjoint::cli::add_prove(app, action);
+#endif
   try {
     app.parse(argc, argv);
     return action();

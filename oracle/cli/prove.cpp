@@ -1,7 +1,12 @@
 #include "oracle/cli/prove.hpp"
 
+#include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
+
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/progress.hpp"
 
 namespace lubjoint::cli {
 
@@ -47,6 +52,21 @@ int run_prove(bool json, std::ostream& out, const proofs::Progress& progress) {
     out << proofs::ledger_table(results);
   }
   return proofs::ledger_closes(results) ? 0 : 1;
+}
+
+void add_prove(CLI::App& app, Action& action) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("prove", "The proof ledger: formulas proved symbolically, mistakes refuted");
+  command->add_flag("--json", *json, "One JSON object");
+  command->callback([json, &action] {
+    action = [json] {
+      std::optional<reports::ProgressBar> bar;
+      return run_prove(*json, std::cout, [&bar](const proofs::ProofResult&, std::size_t, std::size_t total) {
+        if (!bar) bar.emplace("proofs", total);
+        bar->advance();
+      });
+    };
+  });
 }
 
 }  // namespace lubjoint::cli

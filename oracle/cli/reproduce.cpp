@@ -4,6 +4,7 @@
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/example_1.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/model_error.hpp"
 
 namespace lubjoint::cli {
 
@@ -22,6 +23,12 @@ void add_reproduce(CLI::App& app, Action& action) {
       const reports::Example1 example =
           reports::run_example_1(load_scene(std::filesystem::path(options->scenes) / "journal.toml"));
       std::cout << reports::example_1_table(example);
+      std::cout << '\n';
+      for (const reports::Example1Law& item : example.laws) {
+        const std::string warning =
+            reports::model_warning(item.scene, reports::visited_model_error(item.scene, item.run));
+        if (!warning.empty()) std::cout << warning << '\n';
+      }
       const auto files = reports::write_example_1(example, options->out);
       std::cerr << files.size() << " files written to " << options->out << ":";
       for (const std::string& file : files) std::cerr << ' ' << file;

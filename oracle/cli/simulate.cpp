@@ -4,6 +4,7 @@
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/journal_report.hpp"
+#include "oracle/reports/model_error.hpp"
 
 namespace lubjoint::cli {
 
@@ -34,6 +35,8 @@ void add_simulate(CLI::App& app, Action& action) {
       } else {
         std::cout << reports::summary_text(scene, run);
       }
+      const std::string warning = reports::model_warning(scene, reports::visited_model_error(scene, run));
+      if (!warning.empty()) std::cerr << warning << '\n';
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };
   });

@@ -16,7 +16,8 @@ namespace lubjoint::cli {
 /// @param answer  gives the added numbers of a PolarFilmState<double>, as many as there are names
 /// @throws reports::CsvError that names file and line if a state is impossible or an answer is not finite
 template <class Answer>
-std::string answered_rows(const reports::CsvTable& states, const std::vector<std::string>& names, const Answer& answer) {
+std::string answered_rows(const reports::CsvTable& states, const std::vector<std::string>& names,
+                          const Answer& answer) {
   const std::size_t ratio = states.column("eccentricity_ratio");
   const std::size_t slip = states.column("slip_rate");
   const std::size_t squeeze = states.column("squeeze_rate");

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace lubjoint::reports {
 
@@ -34,24 +37,59 @@ void prepare_folder(const fs::path& folder) {
   if (!writable) throw OutputError("output folder \"" + folder.string() + "\" is not writable");
 }
 
-void write_file(const fs::path& file, std::string_view content) {
-  const fs::path temporary = beside(file);
+namespace {
+
+/// Paths for a signal handler, which may call unlink and nothing that allocates.
+constexpr std::size_t slots = 16;
+constexpr std::size_t longest_path = 4096;
+char pending[slots][longest_path];
+std::atomic<bool> used[slots];
+
+void remove_pending_and_end(int signal) {
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (used[i]) ::unlink(pending[i]);
+  }
+  ::_exit(128 + signal);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(fs::path path) : path_(std::move(path)), slot_(slots) {
+  const std::string name = path_.string();
+  if (name.size() >= longest_path) throw OutputError("path \"" + name + "\" is too long");
+  for (std::size_t i = 0; i < slots && slot_ == slots; ++i) {
+    bool free = false;
+    if (!used[i].compare_exchange_strong(free, true)) continue;
+    name.copy(pending[i], name.size());
+    pending[i][name.size()] = '\0';
+    slot_ = i;
+  }
+}
+
+TemporaryFile::~TemporaryFile() {
   std::error_code error;
-  {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-    stream.close();
-    if (!stream) {
-      fs::remove(temporary, error);
-      throw OutputError("\"" + file.string() + "\" can't be written");
-    }
-  }
-  fs::rename(temporary, file, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(temporary, error);
-    throw OutputError("\"" + file.string() + "\" can't be written: " + why);
-  }
+  fs::remove(path_, error);
+  if (slot_ < slots) used[slot_] = false;
+}
+
+void TemporaryFile::rename_to(const fs::path& file) {
+  std::error_code error;
+  fs::rename(path_, file, error);
+  if (error) throw OutputError("\"" + file.string() + "\" can't be written: " + error.message());
+}
+
+void remove_temporary_files_on_interrupt() {
+  std::signal(SIGINT, remove_pending_and_end);
+  std::signal(SIGTERM, remove_pending_and_end);
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+  TemporaryFile temporary(beside(file));
+  std::ofstream stream(temporary.path(), std::ios::binary);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream) throw OutputError("\"" + file.string() + "\" can't be written");
+  temporary.rename_to(file);
 }
 
 std::string read_input(const std::string& name) {

@@ -22,6 +22,26 @@ void prepare_folder(const std::filesystem::path& folder);
 /// @throws OutputError
 void write_file(const std::filesystem::path& file, std::string_view content);
 
+/// A file that is removed again when it goes out of scope, or when the program is interrupted: what is being written.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path path);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Gives the file its final name. @throws OutputError
+  void rename_to(const std::filesystem::path& file);
+
+ private:
+  std::filesystem::path path_;
+  std::size_t slot_;
+};
+
+/// From now on SIGINT and SIGTERM remove the temporary files before they end the program.
+void remove_temporary_files_on_interrupt();
+
 /// Content of a file, or of standard input for "-".
 /// @throws std::invalid_argument if it can't be read
 std::string read_input(const std::string& name);

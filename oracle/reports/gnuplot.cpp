@@ -47,25 +47,20 @@ void draw(const Plot& plot, const fs::path& folder, const std::string& name) {
   const std::array<Format, 2> formats = {
       Format{"svg", fmt::format("svg size {},{} font 'Helvetica,12' background '#ffffff'", plot.width, plot.height)},
       Format{"png", fmt::format("pngcairo size {},{} font 'Sans,9' background '#ffffff'", plot.width, plot.height)}};
-  const fs::path script = folder / (name + ".gnuplot.part");
+  TemporaryFile script(folder / (name + ".gnuplot.part"));
+  TemporaryFile svg(folder / (name + ".svg.part"));
+  TemporaryFile png(folder / (name + ".png.part"));
   std::string text = "set encoding utf8\n";
-  for (const Format& format : formats) {
-    text += "set terminal " + format.terminal + "\nset output " +
-            quoted(folder / (name + "." + format.extension + ".part")) + "\n" + plot.script + "\nunset output\nreset\n";
-  }
-  std::error_code error;
-  try {
-    write_file(script, text);
-    run(script);
-  } catch (...) {
-    fs::remove(script, error);
-    for (const Format& format : formats) fs::remove(folder / (name + "." + format.extension + ".part"), error);
-    throw;
-  }
-  fs::remove(script, error);
-  for (const Format& format : formats) {
-    fs::rename(folder / (name + "." + format.extension + ".part"), folder / (name + "." + format.extension));
-  }
+  text += fmt::format(
+      "set terminal svg size {},{} font 'Helvetica,12' background '#ffffff'\nset output {}\n{}\nunset output\nreset\n",
+      plot.width, plot.height, quoted(svg.path()), plot.script);
+  text += fmt::format(
+      "set terminal pngcairo size {},{} font 'Sans,9' background '#ffffff'\nset output {}\n{}\nunset output\n",
+      plot.width, plot.height, quoted(png.path()), plot.script);
+  write_file(script.path(), text);
+  run(script.path());
+  svg.rename_to(folder / (name + ".svg"));
+  png.rename_to(folder / (name + ".png"));
 }
 
 }  // namespace lubjoint::reports

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/reports/progress.hpp"
 
@@ -133,8 +134,14 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
   scene.name = "bearing";
   scene.bodies.push_back({"journal", 1.0, 1.0, {0, 0}, 0, {0, 0}, spin_sum});
   scene.loads.push_back({0, {0, -load}});
-  scene.joints.push_back({"bearing", "", oil.viscosity(), bearing.length(), bearing.radius(), bearing.clearance(),
-                          {std::nullopt, {0, 0}}, {std::size_t{0}, {0, 0}}});
+  scene.joints.push_back({"bearing",
+                          "",
+                          oil.viscosity(),
+                          bearing.length(),
+                          bearing.radius(),
+                          bearing.clearance(),
+                          {std::nullopt, {0, 0}},
+                          {std::size_t{0}, {0, 0}}});
   std::vector<LoadedState> states;
   for (const std::string_view law : film_law_names) {
     scene.joints.front().film = law;
@@ -145,8 +152,8 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
   for (const oracle::FiniteFilm film : compared_films) {
     states.push_back(finite_equilibrium(film, FilmOnset::free, bearing, oil, load, spin_sum));
   }
-  states.push_back(finite_equilibrium(oracle::FiniteFilm::finite_reynolds, FilmOnset::maximum_film, bearing, oil, load,
-                                      spin_sum));
+  states.push_back(
+      finite_equilibrium(oracle::FiniteFilm::finite_reynolds, FilmOnset::maximum_film, bearing, oil, load, spin_sum));
   return states;
 }
 
@@ -159,8 +166,7 @@ VisitedModelError visited_model_error(const Scene& scene, const JournalTrajector
   for (std::size_t i = 1; i <= states; ++i) {
     const JournalSample& sample = run.samples[i * (run.samples.size() - 1) / states];
     const auto& y = sample.state;
-    const FilmState<double> film(Vector2<double>(y[0], y[1]),
-                                 Vector2<double>(y[2] + spin * y[1], y[3] - spin * y[0]));
+    const FilmState<double> film(Vector2<double>(y[0], y[1]), Vector2<double>(y[2] + spin * y[1], y[3] - spin * y[0]));
     // A film at rest has no force to be wrong; beyond 0.99 the finite-length film is not resolved cheaply.
     if (is_zero(film.velocity) || is_zero(film.eccentricity) || sample.eccentricity_ratio() > 0.99) continue;
     const PolarFilmState<double> state = polar_view(film).state;

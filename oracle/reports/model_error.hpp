@@ -21,7 +21,7 @@ inline constexpr std::array<oracle::FiniteFilm, 3> compared_films = {
 /// pure opening (−180°… of u from e) over pure wedge (−90°) to pure closing (0).
 struct ModelErrorGrid {
   std::vector<double> eccentricity_ratios;
-  std::size_t directions = 13;  ///< at least 2, from −180° to 0, both included
+  std::size_t directions = 13;       ///< at least 2, from −180° to 0, both included
   double relative_tolerance = 1e-3;  ///< of the finite-length force
 
   static ModelErrorGrid standard();
@@ -32,8 +32,8 @@ struct ModelErrorEntry {
   std::string_view law;
   oracle::FiniteFilm film;
   double eccentricity_ratio;
-  double direction;  ///< of u from the eccentricity [rad]
-  double error;      ///< [-]
+  double direction;    ///< of u from the eccentricity [rad]
+  double error;        ///< [-]
   double uncertainty;  ///< of F, over |F| [-]
 };
 

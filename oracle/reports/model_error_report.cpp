@@ -40,8 +40,8 @@ std::string within_sentence(const std::vector<ModelErrorSummary>& summaries, ora
         mostly.push_back(fmt::format("{} ({:.0f} %)", summary.law, 100 * summary.share_within[i]));
       }
     }
-    text += fmt::format("Within {} of {}: everywhere {}; at half of the states or more {}.\n", bounds[i],
-                        name_of(film), joined(everywhere), joined(mostly));
+    text += fmt::format("Within {} of {}: everywhere {}; at half of the states or more {}.\n", bounds[i], name_of(film),
+                        joined(everywhere), joined(mostly));
   }
   return text;
 }
@@ -69,18 +69,17 @@ std::string model_error_table(const Bearing<double>& bearing, const std::vector<
       "b >= 0, <= 25 %");
   for (const ModelErrorSummary& s : summaries) {
     const std::string safe = s.safe_ratio ? fmt::format("to e/c {:.2f}", *s.safe_ratio) : "nowhere";
-    text += fmt::format("{:<17} {:<18} {:>7.1f}% {:>8.0f}% {:>7.0f}% {:>7.0f}% {:>7.0f}% {:>16}\n", name_of(s.film), s.law,
-                        100 * s.median, 100 * s.largest, 100 * s.share_within[0], 100 * s.share_within[1],
+    text += fmt::format("{:<17} {:<18} {:>7.1f}% {:>8.0f}% {:>7.0f}% {:>7.0f}% {:>7.0f}% {:>16}\n", name_of(s.film),
+                        s.law, 100 * s.median, 100 * s.largest, 100 * s.share_within[0], 100 * s.share_within[1],
                         100 * s.share_within[2], safe);
   }
   text += '\n';
   for (const oracle::FiniteFilm film : compared_films) text += within_sentence(summaries, film);
   if (loaded.empty()) return text;
-  text += fmt::format("\nEquilibrium under the given load\n{:<44} {:>10} {:>16}\n", "law or film", "e/c",
-                      "attitude [deg]");
+  text +=
+      fmt::format("\nEquilibrium under the given load\n{:<44} {:>10} {:>16}\n", "law or film", "e/c", "attitude [deg]");
   for (const LoadedState& state : loaded) {
-    text += fmt::format("{:<44} {:>10.4f} {:>16.2f}\n", state.name, state.eccentricity_ratio,
-                        degrees * state.attitude);
+    text += fmt::format("{:<44} {:>10.4f} {:>16.2f}\n", state.name, state.eccentricity_ratio, degrees * state.attitude);
   }
   return text;
 }
@@ -94,7 +93,8 @@ std::string model_error_csv(const std::vector<ModelErrorEntry>& map) {
   return csv;
 }
 
-std::vector<std::string> draw_model_error(const std::vector<ModelErrorEntry>& map, const std::filesystem::path& folder) {
+std::vector<std::string> draw_model_error(const std::vector<ModelErrorEntry>& map,
+                                          const std::filesystem::path& folder) {
   std::vector<std::string> files;
   for (const oracle::FiniteFilm film : compared_films) {
     Plot plot;

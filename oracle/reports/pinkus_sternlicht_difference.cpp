@@ -9,7 +9,7 @@
 #include "lubjoint/film/pinkus_sternlicht.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 
-namespace lubjoint::oracle {
+namespace lubjoint::reports {
 
 DifferenceGrid DifferenceGrid::uniform(double last, std::size_t eccentricity_ratios, std::size_t directions) {
   DifferenceGrid grid;
@@ -32,7 +32,7 @@ std::vector<PinkusSternlichtDifference> pinkus_sternlicht_difference(const Diffe
       const double turn = (static_cast<double>(i) + 0.5) / static_cast<double>(grid.directions);
       const double direction = 2 * std::numbers::pi * turn;
       const PolarFilmState<double> state(epsilon, -2 * std::sin(direction), std::cos(direction));
-      const FilmForceEstimate film = film_force_by_quadrature(OneDimensionalFilm::long_dynamic, bearing, oil, state);
+      const oracle::FilmForceEstimate film = oracle::film_force_by_quadrature(oracle::OneDimensionalFilm::long_dynamic, bearing, oil, state);
       const PolarForce<double> law = film_force<PinkusSternlicht>(bearing, oil, state);
       const double size = std::hypot(film.radial.value, film.tangential.value);
       const double apart = std::hypot(law.radial - film.radial.value, law.tangential - film.tangential.value);
@@ -65,4 +65,4 @@ DifferenceSummary summary_of(const std::vector<PinkusSternlichtDifference>& diff
   return summary;
 }
 
-}  // namespace lubjoint::oracle
+}  // namespace lubjoint::reports

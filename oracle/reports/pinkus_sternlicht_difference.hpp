@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lubjoint::oracle {
+namespace lubjoint::reports {
 
 /// States of the comparison: every ε with directions of u spread evenly over a turn, at the middles of equal arcs.
 struct DifferenceGrid {
@@ -43,4 +43,4 @@ enum class SqueezeSign { closing, opening };  ///< b > 0, b < 0
 DifferenceSummary summary_of(const std::vector<PinkusSternlichtDifference>& differences, SqueezeSign sign,
                              double eccentricity_ratio_below = 1);
 
-}  // namespace lubjoint::oracle
+}  // namespace lubjoint::reports

@@ -1,0 +1,101 @@
+#include "oracle/reports/model_error.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/files.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+struct Options {
+  std::optional<std::string> scene;
+  std::optional<double> length;
+  std::optional<double> radius;
+  double clearance = 0;
+  std::optional<double> viscosity;
+  std::optional<double> load;
+  std::optional<double> spin;
+  std::optional<std::string> out;
+};
+
+/// A bearing, and what loads it if that is known.
+struct Question {
+  Bearing<double> bearing;
+  std::optional<Lubricant<double>> oil;
+  double load = 0;
+  double spin_sum = 0;
+};
+
+Question question_of(const Options& options) {
+  if (options.scene) {
+    if (options.length || options.radius || options.viscosity || options.load || options.spin) {
+      throw std::invalid_argument("model-error takes a scene, or --length, --radius and so on; not both");
+    }
+    const JournalScene parts = journal_scene(load_scene(*options.scene));
+    return {parts.bearing, parts.oil, parts.drive.load.norm(), std::abs(2 * parts.drive.mean_spin())};
+  }
+  if (!options.length || !options.radius) {
+    throw std::invalid_argument("model-error needs a scene, or --length and --radius [m]");
+  }
+  require_option("--radius", *options.radius, *options.radius > 0, "a finite number above 0 [m]");
+  // The map depends on L/D alone: without a load any clearance does.
+  const double clearance = options.clearance > 0 ? options.clearance : 1e-3 * *options.radius;
+  Question question{Bearing<double>(*options.length, *options.radius, clearance), {}};
+  const bool any = options.load || options.spin || options.viscosity || options.clearance != 0;
+  const bool all = options.load && options.spin && options.viscosity && options.clearance != 0;
+  if (any && !all) {
+    throw std::invalid_argument(
+        "the equilibrium needs --clearance [m], --viscosity [Pa s], --load [N] and --spin [rad/s], all four or none");
+  }
+  if (all) {
+    require_option("--clearance", options.clearance, options.clearance > 0, "a finite number above 0 [m]");
+    require_option("--load", *options.load, *options.load > 0, "a finite number above 0 [N]");
+    require_option("--spin", *options.spin, *options.spin > 0, "a finite number above 0 [rad/s]");
+    question.oil = Lubricant<double>(*options.viscosity);
+    question.load = *options.load;
+    question.spin_sum = *options.spin;
+  }
+  return question;
+}
+
+}  // namespace
+
+void add_model_error(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("model-error", "Each law against the film of finite length, for a scene's or a given bearing");
+  command->add_option("scene", options->scene, "Scene file (TOML)");
+  command->add_option("--length", options->length, "Bearing length [m]");
+  command->add_option("--radius", options->radius, "Journal radius [m]");
+  command->add_option("--clearance", options->clearance, "Radial clearance [m], for the equilibrium");
+  command->add_option("--viscosity", options->viscosity, "Dynamic viscosity [Pa s], for the equilibrium");
+  command->add_option("--load", options->load, "Constant load [N], for the equilibrium");
+  command->add_option("--spin", options->spin, "Sum of the absolute spins of journal and bearing [rad/s]");
+  command->add_option("--out", options->out, "Folder for model-error.csv and the maps");
+  command->callback([options, &action] {
+    action = [options] {
+      const Question question = question_of(*options);
+      if (options->out) reports::prepare_folder(*options->out);
+      const auto map = reports::model_error_map(question.bearing, reports::ModelErrorGrid::standard());
+      std::vector<reports::LoadedState> loaded;
+      if (question.oil && question.load > 0 && question.spin_sum > 0) {
+        loaded = reports::loaded_states(question.bearing, *question.oil, question.load, question.spin_sum);
+      }
+      std::cout << reports::model_error_table(question.bearing, reports::summaries_of(map), loaded);
+      if (options->out) {
+        reports::write_file(std::filesystem::path(*options->out) / "model-error.csv", reports::model_error_csv(map));
+        std::cerr << "written to " << *options->out << ": model-error.csv";
+        for (const std::string& file : reports::draw_model_error(map, *options->out)) std::cerr << ' ' << file;
+        std::cerr << '\n';
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

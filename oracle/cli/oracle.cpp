@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "lubjoint/film/extent.hpp"
+#include "oracle/cli/bearing_options.hpp"
+#include "oracle/cli/state_rows.hpp"
+#include "oracle/reports/files.hpp"
+#include "oracle/reports/pressure_report.hpp"
+#include "oracle/reynolds/film_integral.hpp"
+#include "oracle/reynolds/finite_length.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+bool is_finite_film(const std::string& name) { return name.starts_with("finite_"); }
+
+/// @throws std::invalid_argument that lists all films, of either kind
+void require_film(const std::string& name) {
+  std::string all;
+  for (const auto& entry : oracle::one_dimensional_films) {
+    if (entry.name == name) return;
+    all += std::string(entry.name) + ", ";
+  }
+  if (!is_finite_film(name)) {
+    throw std::invalid_argument("--film is \"" + name + "\"; allowed are " + all +
+                                "finite_full, finite_half, finite_dynamic, finite_reynolds");
+  }
+  oracle::finite_film_of(name);
+}
+
+oracle::FilmOnset onset_of(const std::string& name) {
+  if (name == "free") return oracle::FilmOnset::free;
+  if (name == "maximum_film") return oracle::FilmOnset::maximum_film;
+  throw std::invalid_argument("--onset is \"" + name + "\"; allowed are free, maximum_film");
+}
+
+oracle::FilmQuadratureRule rule_of(const std::string& name) {
+  const auto& names = oracle::film_quadrature_rule_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<oracle::FilmQuadratureRule>(found - names.begin());
+  std::string all;
+  for (const std::string_view each : names) all += (all.empty() ? "" : ", ") + std::string(each);
+  throw std::invalid_argument("--rule is \"" + name + "\"; allowed are " + all);
+}
+
+struct ForceOptions : BearingOptions {
+  std::string film;
+  std::string states;
+  std::string rule = "gauss_legendre";
+  std::string onset = "free";
+  std::optional<double> rtol;
+};
+
+std::string one_dimensional_forces(const ForceOptions& options, const reports::CsvTable& states) {
+  const auto film = oracle::one_dimensional_film(options.film);
+  const oracle::FilmQuadratureOptions how{rule_of(options.rule), options.rtol.value_or(1e-13)};
+  const bool dynamic = oracle::entry_of(film).extent == FilmExtent::dynamic;
+  std::vector<std::string> names = {"radial", "tangential"};
+  if (dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
+  names.insert(names.end(), {"radial_error", "tangential_error"});
+  const Bearing<double> bearing = options.bearing();
+  const Lubricant<double> oil = options.oil();
+  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+    const auto force = film_force_by_quadrature(film, bearing, oil, state, how);
+    std::vector<double> answer = {force.radial.value, force.tangential.value};
+    if (dynamic) answer.insert(answer.end(), {force.theta_s, force.theta_e});
+    answer.insert(answer.end(), {force.radial.error, force.tangential.error});
+    return answer;
+  });
+}
+
+std::string finite_forces(const ForceOptions& options, const reports::CsvTable& states) {
+  const auto film = oracle::finite_film_of(options.film);
+  const oracle::FiniteLengthOptions how{options.rtol.value_or(1e-3), onset_of(options.onset)};
+  const bool dynamic = film == oracle::FiniteFilm::finite_dynamic;
+  std::vector<std::string> names = {"radial", "tangential"};
+  if (dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
+  names.insert(names.end(), {"radial_error", "tangential_error"});
+  const Bearing<double> bearing = options.bearing();
+  const Lubricant<double> oil = options.oil();
+  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+    const auto force = finite_length_force(film, bearing, oil, state, how);
+    std::vector<double> answer = {force.radial, force.tangential};
+    if (dynamic) {
+      const FilmBounds<double> bounds = film_bounds(FilmExtent::dynamic, state);
+      answer.insert(answer.end(), {bounds.start, bounds.end});
+    }
+    answer.insert(answer.end(), {force.radial_error, force.tangential_error});
+    return answer;
+  });
+}
+
+void add_oracle_force(CLI::App& parent, Action& action) {
+  auto options = std::make_shared<ForceOptions>();
+  CLI::App* command = parent.add_subcommand("force", "Film force by integrating the pressure, CSV in and out");
+  command->add_option("--film", options->film, "short_full … long_dynamic, or finite_full … finite_reynolds")
+      ->required();
+  command->add_option("--states", options->states, "CSV with eccentricity_ratio,slip_rate,squeeze_rate; - is stdin")
+      ->required();
+  command->add_option("--rule", options->rule, "Quadrature rule of the one-dimensional films")->capture_default_str();
+  command->add_option("--onset", options->onset, "Onset of finite_reynolds: free or maximum_film")
+      ->capture_default_str();
+  command->add_option("--rtol", options->rtol, "Tolerance relative to |F| (1e-13; finite films 1e-3)");
+  options->add(*command);
+  command->callback([options, &action] {
+    action = [options] {
+      require_film(options->film);
+      rule_of(options->rule);
+      onset_of(options->onset);
+      if (options->rtol) {
+        const bool finite = is_finite_film(options->film);
+        require_option("--rtol", *options->rtol,
+                       finite ? *options->rtol >= 1e-12 && *options->rtol <= 0.1
+                              : *options->rtol >= 1e-15 && *options->rtol <= 0.1,
+                       finite ? "a number from 1e-12 to 0.1" : "a number from 1e-15 to 0.1");
+      }
+      options->bearing();
+      options->oil();
+      const reports::CsvTable states(reports::read_input(options->states),
+                                     options->states == "-" ? "standard input" : options->states);
+      std::cout << (is_finite_film(options->film) ? finite_forces(*options, states)
+                                                  : one_dimensional_forces(*options, states));
+      return 0;
+    };
+  });
+}
+
+void add_oracle_pressure(CLI::App& parent, Action& action) {
+  struct Options : BearingOptions {
+    std::string film;
+    double ratio = 0;
+    double slip = 0;
+    double squeeze = 0;
+    int angles = 181;
+    int stations = 21;
+    std::string onset = "free";
+    std::optional<std::string> out;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = parent.add_subcommand("pressure", "Pressure field of one state as CSV theta,z,pressure");
+  command->add_option("--film", options->film, "short_full … long_dynamic, or finite_full … finite_reynolds")
+      ->required();
+  command->add_option("--eccentricity-ratio", options->ratio, "In [0, 1)")->required();
+  command->add_option("--slip-rate", options->slip, "a [1/s]")->required();
+  command->add_option("--squeeze-rate", options->squeeze, "b [1/s]")->required();
+  command->add_option("--angles", options->angles, "Number of angles, 0 to 2 pi")->capture_default_str();
+  command->add_option("--stations", options->stations, "Number of stations along z")->capture_default_str();
+  command->add_option("--onset", options->onset, "Onset of finite_reynolds: free or maximum_film")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Folder for pressure.csv and a plot, in place of standard output");
+  options->add(*command);
+  command->callback([options, &action] {
+    action = [options] {
+      require_film(options->film);
+      const auto onset = onset_of(options->onset);
+      require_option("--angles", options->angles, options->angles >= 3 && options->angles <= 10000, "3 to 10000");
+      require_option("--stations", options->stations, options->stations >= 3 && options->stations <= 1000, "3 to 1000");
+      const PolarFilmState<double> state(options->ratio, options->slip, options->squeeze);
+      const Bearing<double> bearing = options->bearing();
+      const Lubricant<double> oil = options->oil();
+      const oracle::PressureField field =
+          is_finite_film(options->film)
+              ? finite_length_pressure(oracle::finite_film_of(options->film), bearing, oil, state, options->angles,
+                                       options->stations, onset)
+              : reports::one_dimensional_pressure(oracle::one_dimensional_film(options->film), bearing, oil, state,
+                                                  options->angles, options->stations);
+      const std::string csv = reports::pressure_csv(field);
+      if (!options->out) {
+        std::cout << csv;
+        return 0;
+      }
+      reports::prepare_folder(*options->out);
+      reports::write_file(std::filesystem::path(*options->out) / "pressure.csv", csv);
+      reports::draw_pressure(field, options->film, state, *options->out);
+      std::cerr << "pressure.csv, pressure.svg and pressure.png written to " << *options->out << '\n';
+      return 0;
+    };
+  });
+}
+
+}  // namespace
+
+void add_oracle(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("oracle", "Forces and pressures that do not come from the force laws");
+  command->require_subcommand(1);
+  add_oracle_force(*command, action);
+  add_oracle_pressure(*command, action);
+}
+
+}  // namespace lubjoint::cli
