@@ -2,14 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "lubjoint/film/law_list.hpp"
+#include "support/law_property.hpp"
 
 using namespace lubjoint;
 
 TEST_CASE("film force is homogeneous of degree one in u: a power of two scales it exactly") {
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
-    rc::prop("F(e, 2^k u) = 2^k F(e, u), bit for bit", [] {
+    rc::prop(of_law<Law>("F(e, 2^k u) = 2^k F(e, u), bit for bit"), [] {
       const double epsilon = *rc::gen::inRange(0, 1000) * 1e-3;
       const double a = *rc::gen::inRange(-1000, 1000) * 1e-2;
       const double b = *rc::gen::inRange(-1000, 1000) * 1e-2;

@@ -25,9 +25,10 @@ template <FilmLaw Law>
 JournalEquilibrium find(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
   const double spin_sum = 2 * parts.drive.mean_spin();
-  const double load = parts.drive.load.norm();
+  const double load = std::hypot(parts.drive.load.x(), parts.drive.load.y());  // a square would underflow
   if (load > 0 && spin_sum == 0) {
-    throw SceneError(scene.file + ": bodies[0].spin is 0; allowed is a spin other than 0, or nothing carries the load");
+    throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
+                     ": bodies[0].spin is 0; allowed is a spin other than 0, or nothing carries the load");
   }
   const auto& bearing = parts.bearing;
   const auto force_at = [&](double logit) {
@@ -46,8 +47,10 @@ JournalEquilibrium find(const Scene& scene) {
     const double lowest = -690;
     const double highest = 34.5;
     if (excess(lowest) > 0 || excess(highest) < 0) {
-      throw SceneError(scene.file + ": no equilibrium with eccentricity ratio between 1e-300 and 1 - 1e-15 carries " +
-                       "the load");
+      throw SceneError(
+          scene.file + ":" + std::to_string(scene.bodies.front().line) +
+          ": bodies[0] has no equilibrium with an eccentricity ratio between 1e-300 and 1 - 1e-15; allowed "
+          "is a load that the film carries there");
     }
     std::uintmax_t iterations = 200;
     const boost::math::tools::eps_tolerance<double> tolerance(52);
@@ -108,7 +111,7 @@ Stability JournalEquilibrium::stability() const {
 }
 
 JournalEquilibrium journal_equilibrium(const Scene& scene) {
-  if (scene.joints.empty()) throw std::invalid_argument("a scene without joints has no journal");
+  if (scene.joints.empty()) journal_scene(scene);  // says what is missing
   return with_film_law(scene.joints.front().film, [&]<class Law>() { return find<Law>(scene); });
 }
 

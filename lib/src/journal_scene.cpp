@@ -7,21 +7,25 @@
 namespace lubjoint {
 
 JournalScene journal_scene(const Scene& scene) {
-  const auto refuse = [&](const std::string& what) { throw SceneError(scene.file + ": " + what); };
+  const auto refuse = [&](const std::string& what, std::size_t line = 1) {
+    throw SceneError(scene.file + ":" + std::to_string(line) + ": " + what);
+  };
   if (scene.bodies.size() != 1) {
     refuse("bodies has " + std::to_string(scene.bodies.size()) +
-           " entries; allowed is one, a journal that floats in a bearing on the ground");
+               " entries; allowed is one, a journal that floats in a bearing on the ground",
+           scene.bodies.empty() ? 1 : scene.bodies.back().line);
   }
   if (scene.joints.size() != 1) {
-    refuse("joints has " + std::to_string(scene.joints.size()) + " entries; allowed is one, the journal's bearing");
+    refuse("joints has " + std::to_string(scene.joints.size()) + " entries; allowed is one, the journal's bearing",
+           scene.joints.empty() ? 1 : scene.joints.back().line);
   }
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
   if (joint.bearing.body) {
-    refuse("joints[0].bearing.body is \"" + body.name + "\"; allowed is \"ground\"");
+    refuse("joints[0].bearing.body is \"" + body.name + "\"; allowed is \"ground\"", joint.line);
   }
   if (!is_zero(joint.journal.point)) {
-    refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body");
+    refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body", joint.line);
   }
   Vector2<double> load = body.mass * scene.gravity;
   for (const SceneLoad& each : scene.loads) load += each.force;
@@ -30,7 +34,7 @@ JournalScene journal_scene(const Scene& scene) {
     std::ostringstream message;
     message << "bodies[0].position puts journal \"" << body.name << "\" at eccentricity ratio " << e.norm()
             << " in joint \"" << joint.name << "\"; allowed are eccentricity ratios in [0, 1)";
-    refuse(message.str());
+    refuse(message.str(), body.line);
   }
   return {Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
           Lubricant<double>(joint.viscosity),

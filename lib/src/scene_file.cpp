@@ -1,11 +1,14 @@
 #include "lubjoint/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "lubjoint/dynamics/steppers.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/nearest_name.hpp"
 #include "table_reader.hpp"
 
 namespace lubjoint {
@@ -14,13 +17,6 @@ namespace {
 
 std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
 
-template <class Range>
-std::string listed(const Range& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
-}
-
 template <class Items>
 bool is_taken(const Items& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
@@ -28,7 +24,8 @@ bool is_taken(const Items& items, const std::string& name) {
 
 SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   SceneBody body;
-  body.name = table.text("name");
+  body.name = table.name("name");
+  body.line = table.line();
   if (body.name == "ground" || is_taken(others, body.name)) {
     table.refuse("name", in_quotes(body.name), "a name that no other body has; \"ground\" is what never moves");
   }
@@ -72,15 +69,26 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
   return load;
 }
 
+/// Where an anchor is at t = 0, inertial [m].
+Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
+  if (!anchor.body) return anchor.point;
+  const SceneBody& body = scene.bodies[*anchor.body];
+  const double cosine = std::cos(body.angle);
+  const double sine = std::sin(body.angle);
+  const Vector2<double>& s = anchor.point;
+  return body.position + Vector2<double>(cosine * s.x() - sine * s.y(), sine * s.x() + cosine * s.y());
+}
+
 SceneJoint read_joint(TableReader table, const Scene& scene) {
   SceneJoint joint;
-  joint.name = table.text("name");
+  joint.name = table.name("name");
+  joint.line = table.line();
   if (is_taken(scene.joints, joint.name)) {
     table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
   }
   joint.film = table.text("film");
   if (std::find(film_law_names.begin(), film_law_names.end(), joint.film) == film_law_names.end()) {
-    table.refuse("film", in_quotes(joint.film), "one of " + listed_film_laws());
+    table.refuse("film", in_quotes(joint.film), one_of(film_law_names, joint.film));
   }
   joint.viscosity = table.number("viscosity", Allowed::positive, "Pa s");
   joint.length = table.number("length", Allowed::positive, "m");
@@ -98,6 +106,12 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
   if (joint.bearing.body == joint.journal.body) {
     table.refuse("journal", "on the same body as the bearing", "another body");
   }
+  const Vector2<double> e = (position_of(joint.journal, scene) - position_of(joint.bearing, scene)) / joint.clearance;
+  if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) {
+    std::ostringstream given;
+    given << "at eccentricity ratio " << e.norm() << " in its bearing";
+    table.refuse("journal", given.str(), "a journal that starts inside it, at an eccentricity ratio in [0, 1)");
+  }
   table.finish();
   return joint;
 }
@@ -105,7 +119,7 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
 void read_integrator(TableReader table, Scene& scene) {
   scene.integrator = table.text_or("name", scene.integrator);
   if (std::find(integrator_names.begin(), integrator_names.end(), scene.integrator) == integrator_names.end()) {
-    table.refuse("name", in_quotes(scene.integrator), "one of " + listed(integrator_names));
+    table.refuse("name", in_quotes(scene.integrator), one_of(integrator_names, scene.integrator));
   }
   RunSettings& run = scene.run;
   run.relative_tolerance = table.number_or("relative_tolerance", run.relative_tolerance, Allowed::positive, "-");
@@ -140,7 +154,7 @@ void read_output(TableReader table, Scene& scene) {
 Scene read_scene(TableReader root, const std::string& file) {
   Scene scene;
   scene.file = file;
-  scene.name = root.text("name");
+  scene.name = root.name("name");
   scene.gravity = root.vector_or("gravity", scene.gravity, "m/s^2");
   scene.run.duration = root.number("duration", Allowed::positive, "s");
   for (const TableReader& table : root.tables("bodies")) scene.bodies.push_back(read_body(table, scene.bodies));
@@ -163,15 +177,18 @@ Scene load_scene(const std::filesystem::path& file) {
     throw SceneError(name + ": is a folder; allowed is a scene file (TOML)");
   }
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
+  std::string text;
+  std::array<char, 4096> piece{};
+  while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
   try {
-    const toml::table table = toml::parse(text.str(), name);
+    const toml::table table = toml::parse(text, name);
     return read_scene(TableReader(table, name, ""), name);
   } catch (const toml::parse_error& failure) {
     throw SceneError(name + ":" + std::to_string(failure.source().begin.line) +
-                     ": not valid TOML: " + std::string(failure.description()));
+                     ": not valid TOML: " + std::string(failure.description()) + "; allowed is TOML 1.0");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "lubjoint/scene/simulate.hpp"
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/journal_scene.hpp"
 
 namespace lubjoint {
 
@@ -10,7 +11,7 @@ JournalTrajectory simulate_journal_with(const Scene& scene);  // one file each, 
 }
 
 JournalTrajectory simulate_journal(const Scene& scene) {
-  if (scene.joints.empty()) throw std::invalid_argument("a scene without joints has no journal to simulate");
+  if (scene.joints.empty()) journal_scene(scene);  // says what is missing
   return with_film_law(scene.joints.front().film,
                        [&]<class Law>() { return detail::simulate_journal_with<Law>(scene); });
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <sstream>
 
+#include "lubjoint/scene/nearest_name.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
@@ -23,26 +24,29 @@ std::string shown(const toml::node& node) {
   return text.str();
 }
 
+/// One line, whatever a string of the file holds.
+std::string printable(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      line += "\\n";
+    } else if (code < 0x20 || code == 0x7f) {
+      constexpr std::string_view digits = "0123456789abcdef";
+      line += std::string("\\x") + digits[code / 16] + digits[code % 16];
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
 std::string allowed_number(Allowed allowed, std::string_view unit) {
   std::string words = allowed == Allowed::positive       ? "a finite number above 0"
                       : allowed == Allowed::not_negative ? "a finite number, 0 or more"
                                                          : "a finite number";
   if (!unit.empty()) words += " [" + std::string(unit) + "]";
   return words;
-}
-
-/// Levenshtein's distance.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, substituted}));
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -55,7 +59,7 @@ std::string TableReader::key_path(std::string_view key) const {
 }
 
 void TableReader::fail(const toml::source_region& where, const std::string& what) const {
-  throw SceneError(file_ + ":" + std::to_string(where.begin.line) + ": " + what);
+  throw SceneError(file_ + ":" + std::to_string(where.begin.line) + ": " + printable(what));
 }
 
 void TableReader::refuse(std::string_view key, const std::string& given, const std::string& allowed) const {
@@ -69,15 +73,31 @@ const toml::node* TableReader::find(std::string_view key) {
   return table_.get(key);
 }
 
+std::vector<std::string> TableReader::unknown_keys() const {
+  std::vector<std::string> unknown;
+  for (const auto& [key, node] : table_) {
+    if (std::find(known_.begin(), known_.end(), key.str()) == known_.end()) unknown.emplace_back(key.str());
+  }
+  return unknown;
+}
+
 const toml::node& TableReader::require(std::string_view key, const std::string& allowed) {
   const toml::node* node = find(key);
-  if (!node) fail(table_.source(), key_path(key) + " is missing; required is " + allowed);
-  return *node;
+  if (node) return *node;
+  std::string message = key_path(key) + " is missing; required is " + allowed;
+  const std::string misspelt = nearest_name(unknown_keys(), key);
+  if (!misspelt.empty() && edit_distance(misspelt, key) <= 1 + key.size() / 3) {
+    message += "; line " + std::to_string(table_.get(misspelt)->source().begin.line) + " has " + key_path(misspelt) +
+               ": did you mean " + std::string(key) + "?";
+  }
+  fail(table_.source(), message);
 }
 
 double TableReader::as_number(std::string_view, const toml::node& node, const std::string& name, Allowed allowed,
                               std::string_view unit) const {
-  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  std::optional<double> value;
+  if (const auto* real = node.as_floating_point()) value = real->get();
+  if (const auto* integer = node.as_integer()) value = static_cast<double>(integer->get());
   const bool fits = value && std::isfinite(*value) && (allowed != Allowed::positive || *value > 0) &&
                     (allowed != Allowed::not_negative || *value >= 0);
   if (!fits) fail(node.source(), name + " is " + shown(node) + "; allowed is " + allowed_number(allowed, unit));
@@ -100,6 +120,20 @@ std::string TableReader::text(std::string_view key) {
     fail(node.source(), key_path(key) + " is " + shown(node) + "; allowed is a string that is not empty");
   }
   return *value;
+}
+
+std::string TableReader::name(std::string_view key) {
+  const std::string given = text(key);
+  const bool fits = given.front() != '.' && std::none_of(given.begin(), given.end(), [](char c) {
+                      return static_cast<unsigned char>(c) < 0x20 ||
+                             std::string_view(",\"'/\\\x7f").find(c) != std::string_view::npos;
+                    });
+  if (!fits) {
+    fail(table_.get(key)->source(), key_path(key) + " is " + shown(*table_.get(key)) +
+                                        "; allowed is a name without commas, quotes, slashes and line breaks that "
+                                        "does not begin with a point: files and columns are called by it");
+  }
+  return given;
 }
 
 std::string TableReader::text_or(std::string_view key, std::string otherwise) {
@@ -146,15 +180,10 @@ void TableReader::finish() const {
   for (const auto& [key, node] : table_) {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    std::string message = "unknown key " + key_path(name);
-    const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
-      return distance(a, name) < distance(b, name);
-    });
-    if (nearest != known_.end() && distance(*nearest, name) <= 1 + name.size() / 2) {
-      message += "; did you mean " + key_path(*nearest) + "?";
-    }
-    message += " Allowed are ";
+    std::string message = "unknown key " + key_path(name) + "; allowed are ";
     for (std::size_t i = 0; i < known_.size(); ++i) message += (i ? ", " : "") + known_[i];
+    const std::string nearest = nearest_name(known_, name);
+    if (!nearest.empty()) message += "; did you mean " + key_path(nearest) + "?";
     fail(key.source(), message);
   }
 }

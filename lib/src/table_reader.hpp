@@ -24,6 +24,8 @@ class TableReader {
   double number(std::string_view key, Allowed allowed, std::string_view unit);
   double number_or(std::string_view key, double otherwise, Allowed allowed, std::string_view unit);
   std::string text(std::string_view key);
+  /// Text that can be part of a file name and of a CSV column.
+  std::string name(std::string_view key);
   std::string text_or(std::string_view key, std::string otherwise);
   Vector2<double> vector(std::string_view key, std::string_view unit);
   Vector2<double> vector_or(std::string_view key, const Vector2<double>& otherwise, std::string_view unit);
@@ -31,6 +33,8 @@ class TableReader {
   bool has(std::string_view key) const { return table_.contains(key); }
   /// Every table of an array of tables; none if the key is missing.
   std::vector<TableReader> tables(std::string_view key);
+
+  std::size_t line() const { return table_.source().begin.line; }
 
   /// Refuses keys that nobody asked for, naming the nearest that there is.
   void finish() const;
@@ -40,6 +44,7 @@ class TableReader {
 
  private:
   const toml::node* find(std::string_view key);
+  std::vector<std::string> unknown_keys() const;
   const toml::node& require(std::string_view key, const std::string& allowed);
   double as_number(std::string_view key, const toml::node& node, const std::string& key_path, Allowed allowed,
                    std::string_view unit) const;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cstdint>
 #include <iostream>
 
 #include "lubjoint/film/law_list.hpp"
@@ -9,6 +11,16 @@
 #include "oracle/reports/files.hpp"
 
 namespace lubjoint::cli {
+
+namespace {
+/// CLI11 would wrap a negative number and cut off one that is too large.
+std::string whole_number(const std::string& given) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
+  if (error == std::errc() && end == given.data() + given.size()) return {};
+  return "is \"" + given + "\"; allowed is a whole number from 0 to 18446744073709551615";
+}
+}  // namespace
 
 void add_accuracy(CLI::App& app, Action& action) {
   struct Options {
@@ -21,10 +33,12 @@ void add_accuracy(CLI::App& app, Action& action) {
       app.add_subcommand("accuracy", "Rounding errors of every law by eccentricity ratio, against 100 digits");
   command->add_option("--out", options->out, "CSV file to write, all rows");
   command->add_option("--directions", options->directions, "Random directions of motion at each ratio")
+      ->check(whole_number, "UINT")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
-  command->add_option("--seed", options->seed, "Seed of the directions");
+  command->add_option("--seed", options->seed, "Seed of the directions, 0 or more")->check(whole_number, "UINT");
   command->callback([options, &action] {
     action = [options] {
+      if (options->out) reports::prepare_file(*options->out);
       const auto rows = reports::measure_accuracy(options->directions, options->seed);
       if (options->out) reports::write_file(*options->out, reports::accuracy_csv(rows));
       std::cout

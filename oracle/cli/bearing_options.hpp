@@ -18,8 +18,23 @@ struct BearingOptions {
     command.add_option("--radius", radius, "Journal radius [m]")->required();
     command.add_option("--clearance", clearance, "Radial clearance [m]")->required();
   }
-  Bearing<double> bearing() const { return {length, radius, clearance}; }
-  Lubricant<double> oil() const { return Lubricant<double>(viscosity); }
+  /// @throws std::invalid_argument that names the option
+  Bearing<double> bearing() const {
+    require_positive("--length", length);
+    require_positive("--radius", radius);
+    require_positive("--clearance", clearance);
+    require_option("--clearance", clearance, clearance < radius, "less than --radius, the journal's");
+    return {length, radius, clearance};
+  }
+  Lubricant<double> oil() const {
+    require_positive("--viscosity", viscosity);
+    return Lubricant<double>(viscosity);
+  }
+
+ private:
+  static void require_positive(const std::string& name, double given) {
+    require_option(name, given, given > 0, "a finite number above 0");
+  }
 };
 
 }  // namespace lubjoint::cli

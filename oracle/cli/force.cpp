@@ -2,6 +2,7 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
+#include "oracle/cli/name_option.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/reports/files.hpp"
 
@@ -9,13 +10,18 @@ namespace lubjoint::cli {
 
 namespace {
 
+/// The law in extended precision, rounded once: what is printed is right to the last digit of a double.
 template <FilmLaw Law>
 std::string forces(const reports::CsvTable& states, const Bearing<double>& bearing, const Lubricant<double>& oil) {
+  using Wide = long double;
+  const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
+  const Lubricant<Wide> wide_oil(oil.viscosity());
   std::vector<std::string> names = {"radial", "tangential"};
   if constexpr (Law::extent == FilmExtent::dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
   return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
-    const PolarForce<double> force = film_force<Law>(bearing, oil, state);
-    std::vector<double> answer = {force.radial, force.tangential};
+    const PolarFilmState<Wide> wide(state.eccentricity_ratio, state.slip_rate, state.squeeze_rate);
+    const PolarForce<Wide> force = film_force<Law>(wide_bearing, wide_oil, wide);
+    std::vector<double> answer = {static_cast<double>(force.radial), static_cast<double>(force.tangential)};
     if constexpr (Law::extent == FilmExtent::dynamic) {
       const FilmBounds<double> bounds = film_bounds(Law::extent, state);
       answer.insert(answer.end(), {bounds.start, bounds.end});
@@ -39,7 +45,7 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_film_law(options->law);
+      require_name("--law", options->law, film_law_names);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       const reports::CsvTable states(reports::read_input(options->states),

@@ -7,6 +7,7 @@
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/pinkus_sternlicht_report.hpp"
 #include "oracle/reports/pressure_report.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
@@ -181,6 +182,28 @@ void add_oracle_pressure(CLI::App& parent, Action& action) {
   });
 }
 
+void add_oracle_difference(CLI::App& parent, Action& action) {
+  auto out = std::make_shared<std::optional<std::string>>();
+  CLI::App* command =
+      parent.add_subcommand("difference", "Pinkus-Sternlicht against the long dynamic film, by squeeze");
+  command->add_option("--out", *out, "Folder for pinkus-sternlicht-difference.csv and a plot");
+  command->callback([out, &action] {
+    action = [out] {
+      if (*out) reports::prepare_folder(**out);
+      const auto differences = reports::pinkus_sternlicht_difference(reports::DifferenceGrid::uniform(0.97, 97, 360));
+      std::cout << reports::difference_text(differences);
+      if (*out) {
+        const auto rows = reports::by_ratio(differences);
+        const std::string name = "pinkus-sternlicht-difference";
+        reports::write_file(std::filesystem::path(**out) / (name + ".csv"), reports::difference_csv(rows));
+        reports::draw_difference(rows, **out, name);
+        std::cerr << name << ".csv, .svg and .png written to " << **out << '\n';
+      }
+      return 0;
+    };
+  });
+}
+
 }  // namespace
 
 void add_oracle(CLI::App& app, Action& action) {
@@ -188,6 +211,7 @@ void add_oracle(CLI::App& app, Action& action) {
   command->require_subcommand(1);
   add_oracle_force(*command, action);
   add_oracle_pressure(*command, action);
+  add_oracle_difference(*command, action);
 }
 
 }  // namespace lubjoint::cli

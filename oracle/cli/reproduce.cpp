@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/example_1.hpp"
@@ -19,9 +20,10 @@ void add_reproduce(CLI::App& app, Action& action) {
   command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");
   command->callback([options, &action] {
     action = [options] {
+      const Scene scene = load_scene(std::filesystem::path(options->scenes) / "journal.toml");
+      journal_scene(scene);  // refuses what is no journal before a folder is made
       reports::prepare_folder(options->out);
-      const reports::Example1 example =
-          reports::run_example_1(load_scene(std::filesystem::path(options->scenes) / "journal.toml"));
+      const reports::Example1 example = reports::run_example_1(scene);
       std::cout << reports::example_1_table(example);
       std::cout << '\n';
       for (const reports::Example1Law& item : example.laws) {

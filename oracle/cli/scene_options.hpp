@@ -1,13 +1,13 @@
 /// The options that change a scene on the command line.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "lubjoint/dynamics/steppers.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/name_option.hpp"
 
 namespace lubjoint::cli {
 
@@ -28,12 +28,8 @@ struct SceneOptions {
 
   /// The scene, read and changed. @throws SceneError, std::invalid_argument
   Scene load() const {
-    if (law) require_film_law(*law);
-    if (integrator &&
-        std::find(integrator_names.begin(), integrator_names.end(), *integrator) == integrator_names.end()) {
-      throw std::invalid_argument("--integrator is \"" + *integrator +
-                                  "\"; allowed are radau_iia5, dopri5, fehlberg78");
-    }
+    if (law) require_name("--law", *law, film_law_names);
+    if (integrator) require_name("--integrator", *integrator, integrator_names);
     if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
     Scene scene = load_scene(file);

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/journal_report.hpp"
@@ -23,6 +24,7 @@ void add_simulate(CLI::App& app, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       const Scene scene = options->load();
+      journal_scene(scene);  // refuses what is no journal before a folder is made
       if (options->out) reports::prepare_folder(*options->out);
       const JournalTrajectory run = simulate_journal(scene);
       if (options->out) {

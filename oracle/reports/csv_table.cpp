@@ -53,8 +53,8 @@ CsvTable::CsvTable(std::string_view text, std::string name) : name_(std::move(na
     row.fields = split(row.text);
     if (row.fields.size() == columns_.size()) continue;
     throw CsvError(name_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.fields.size()) +
-                   " fields; the header has " + std::to_string(columns_.size()) +
-                   " (fields are separated by commas, decimals by points)");
+                   " fields; allowed are " + std::to_string(columns_.size()) +
+                   ", as in the header (commas between fields, points in decimals)");
   }
 }
 
@@ -63,15 +63,16 @@ std::size_t CsvTable::column(std::string_view name) const {
   if (count != 1) {
     std::string there;
     for (const std::string& known : columns_) there += (there.empty() ? "" : ", ") + known;
-    throw CsvError(name_ + ":1: column \"" + std::string(name) + "\" is " + (count ? "there twice" : "missing") +
-                   "; the header has " + there);
+    throw CsvError(name_ + ":1: column \"" + std::string(name) + "\" is " +
+                   (count ? "there more than once" : "missing") + "; required is one such column, and the header has " +
+                   there);
   }
   return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   std::string_view field = rows_[row].fields[column];
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool complete = error == std::errc() && end == field.data() + field.size();

@@ -18,6 +18,10 @@ class OutputError : public std::runtime_error {
 /// @throws OutputError
 void prepare_folder(const std::filesystem::path& folder);
 
+/// Checks that a file of that name can be written, and makes its folder if it is not there.
+/// @throws OutputError
+void prepare_file(const std::filesystem::path& file);
+
 /// Replaces a file by this content, all of it or nothing.
 /// @throws OutputError
 void write_file(const std::filesystem::path& file, std::string_view content);

@@ -38,8 +38,7 @@ double median(std::vector<double> values) {
 
 ModelErrorGrid ModelErrorGrid::standard() {
   ModelErrorGrid grid;
-  for (int i = 1; i <= 9; ++i) grid.eccentricity_ratios.push_back(i / 10.0);
-  grid.eccentricity_ratios.push_back(0.95);
+  for (int i = 0; i < 10; ++i) grid.eccentricity_ratios.push_back((2 * i + 1) / 20.0);
   return grid;
 }
 
@@ -72,11 +71,14 @@ std::vector<ModelErrorSummary> summaries_of(const std::vector<ModelErrorEntry>& 
   for (const oracle::FiniteFilm film : compared_films) {
     for (const std::string_view law : film_law_names) {
       std::vector<double> errors;
+      std::array<std::vector<double>, 3> by_direction;
       double first_bad = 1;
       double last_good = 0;
       for (const ModelErrorEntry& entry : map) {
         if (entry.law != law || entry.film != film) continue;
         errors.push_back(entry.error);
+        const double along = std::cos(entry.direction);
+        by_direction[along >= 0.5 - 1e-9 ? 0 : along <= -0.5 + 1e-9 ? 2 : 1].push_back(entry.error);
         if (std::cos(entry.direction) > -1e-9 && entry.error > 0.25) {
           first_bad = std::min(first_bad, entry.eccentricity_ratio);
         }
@@ -85,10 +87,14 @@ std::vector<ModelErrorSummary> summaries_of(const std::vector<ModelErrorEntry>& 
       for (const ModelErrorEntry& entry : map) {
         if (entry.eccentricity_ratio < first_bad) last_good = std::max(last_good, entry.eccentricity_ratio);
       }
-      ModelErrorSummary summary{law, film, median(errors), *std::max_element(errors.begin(), errors.end()), {}, {}};
+      ModelErrorSummary summary{law, film, median(errors), *std::max_element(errors.begin(), errors.end()), {}, {}, {}};
+      const auto share = [](const std::vector<double>& all, double bound) {
+        const auto within = std::count_if(all.begin(), all.end(), [bound](double e) { return e <= bound; });
+        return all.empty() ? 0.0 : static_cast<double>(within) / static_cast<double>(all.size());
+      };
       for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const auto within = std::count_if(errors.begin(), errors.end(), [&](double e) { return e <= bounds[i]; });
-        summary.share_within[i] = static_cast<double>(within) / static_cast<double>(errors.size());
+        summary.share_within[i] = share(errors, bounds[i]);
+        for (std::size_t d = 0; d < 3; ++d) summary.by_direction[i][d] = share(by_direction[d], bounds[i]);
       }
       if (last_good > 0) summary.safe_ratio = last_good;
       summaries.push_back(summary);

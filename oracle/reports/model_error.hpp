@@ -47,6 +47,9 @@ struct ModelErrorSummary {
   double median;
   double largest;
   std::array<double, 3> share_within;  ///< of the states within 5, 10 and 25 %
+  /// The same by direction of motion: u within 60° of e (closing), across it (sliding), within 60° against it
+  /// (opening).
+  std::array<std::array<double, 3>, 3> by_direction;
   /// Largest ε up to which all closing or sliding states (b ≥ 0) are within 25 %; none if not even the smallest.
   std::optional<double> safe_ratio;
 };

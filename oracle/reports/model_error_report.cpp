@@ -25,23 +25,24 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Which laws are within a bound at nearly all states (95 %) of the map.
-std::string within_sentence(const std::vector<ModelErrorSummary>& summaries, oracle::FiniteFilm film) {
+/// Which laws are within a bound, at how many of the states, and in which directions of motion.
+std::string within_sentences(const std::vector<ModelErrorSummary>& summaries, oracle::FiniteFilm film) {
   std::string text;
   const std::array<const char*, 3> bounds = {"5 %", "10 %", "25 %"};
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    std::vector<std::string> everywhere;
-    std::vector<std::string> mostly;
+    std::vector<const ModelErrorSummary*> within;
     for (const ModelErrorSummary& summary : summaries) {
-      if (summary.film != film) continue;
-      if (summary.share_within[i] == 1) {
-        everywhere.push_back(std::string(summary.law));
-      } else if (summary.share_within[i] >= 0.5) {
-        mostly.push_back(fmt::format("{} ({:.0f} %)", summary.law, 100 * summary.share_within[i]));
-      }
+      if (summary.film == film && summary.share_within[i] >= 0.005) within.push_back(&summary);
     }
-    text += fmt::format("Within {} of {}: everywhere {}; at half of the states or more {}.\n", bounds[i], name_of(film),
-                        joined(everywhere), joined(mostly));
+    std::sort(within.begin(), within.end(),
+              [i](const auto* x, const auto* y) { return x->share_within[i] > y->share_within[i]; });
+    std::vector<std::string> named;
+    for (const ModelErrorSummary* s : within) {
+      named.push_back(fmt::format("{} at {:.0f} % of the states (closing {:.0f} %, sliding {:.0f} %, opening {:.0f} %)",
+                                  s->law, 100 * s->share_within[i], 100 * s->by_direction[i][0],
+                                  100 * s->by_direction[i][1], 100 * s->by_direction[i][2]));
+    }
+    text += fmt::format("Within {} of {}: {}.\n", bounds[i], name_of(film), named.empty() ? "no law" : joined(named));
   }
   return text;
 }
@@ -74,7 +75,8 @@ std::string model_error_table(const Bearing<double>& bearing, const std::vector<
                         100 * s.share_within[2], safe);
   }
   text += '\n';
-  for (const oracle::FiniteFilm film : compared_films) text += within_sentence(summaries, film);
+  for (const oracle::FiniteFilm film : compared_films) text += within_sentences(summaries, film);
+  text += "closing, sliding, opening: u within 60 deg of e, across it, within 60 deg against it.\n";
   if (loaded.empty()) return text;
   text +=
       fmt::format("\nEquilibrium under the given load\n{:<44} {:>10} {:>16}\n", "law or film", "e/c", "attitude [deg]");
@@ -103,7 +105,7 @@ std::vector<std::string> draw_model_error(const std::vector<ModelErrorEntry>& ma
     plot.script =
         "set multiplot layout 2,4 title 'Error of each law against " + std::string(name_of(film)) +
         ", by eccentricity ratio and direction of motion (0: closing, -90: wedge, -180: opening)' noenhanced\n"
-        "set xlabel 'e/c [-]'\nset ylabel 'direction [deg]'\nset xrange [0.05:1]\nset yrange [-187.5:7.5]\n"
+        "set xlabel 'e/c [-]'\nset ylabel 'direction [deg]'\nset xrange [0:1]\nset yrange [-187.5:7.5]\n"
         "set ytics 45\nset logscale cb\nset cbrange [0.01:10]\nset cblabel 'error [-]'\n"
         "set format cb '%g'\nset palette defined (0 '#fde725', 1 '#35b779', 2 '#31688e', 3 '#440154')\n"
         "unset key\nset tics out nomirror\n";
@@ -117,7 +119,7 @@ std::vector<std::string> draw_model_error(const std::vector<ModelErrorEntry>& ma
         plot.script += fmt::format("{} {} {}\n", entry.eccentricity_ratio, degrees * entry.direction,
                                    std::clamp(entry.error, 0.01, 10.0));
       }
-      plot.script += "EOD\nplot $data using 1:2:3 with image pixels\n";
+      plot.script += "EOD\nplot $data using 1:2:3 with image\n";
     }
     plot.script += "unset multiplot\n";
     const std::string name = "model-error-" + std::string(name_of(film));

@@ -32,7 +32,8 @@ std::vector<PinkusSternlichtDifference> pinkus_sternlicht_difference(const Diffe
       const double turn = (static_cast<double>(i) + 0.5) / static_cast<double>(grid.directions);
       const double direction = 2 * std::numbers::pi * turn;
       const PolarFilmState<double> state(epsilon, -2 * std::sin(direction), std::cos(direction));
-      const oracle::FilmForceEstimate film = oracle::film_force_by_quadrature(oracle::OneDimensionalFilm::long_dynamic, bearing, oil, state);
+      const oracle::FilmForceEstimate film =
+          oracle::film_force_by_quadrature(oracle::OneDimensionalFilm::long_dynamic, bearing, oil, state);
       const PolarForce<double> law = film_force<PinkusSternlicht>(bearing, oil, state);
       const double size = std::hypot(film.radial.value, film.tangential.value);
       const double apart = std::hypot(law.radial - film.radial.value, law.tangential - film.tangential.value);

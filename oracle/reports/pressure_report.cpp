@@ -58,12 +58,17 @@ void draw_pressure(const oracle::PressureField& field, const std::string& film, 
     }
     plot.script += '\n';
   }
+  plot.script += "EOD\n$middle << EOD\n";
+  for (std::size_t i = 0; i < field.theta.size(); ++i) {
+    plot.script +=
+        fmt::format("{:.7g} {:.7g}\n", 180 / pi_v * field.theta[i], 1e-6 * field.pressure[i * stations + stations / 2]);
+  }
   plot.script += fmt::format(
-      "EOD\nset grid lc rgb '#dddddd'\nset title 'At the middle of the bearing'\nset ylabel 'pressure [MPa]'\n"
-      "plot $field every :::0 using 1:($2 == {0:.7g} ? $3 : NaN) with lines lw 1.5 lc rgb '#0072b2' notitle\n"
+      "EOD\nset grid lc rgb '#dddddd'\nset title 'At z = {0:.3g} mm'\nset ylabel 'pressure [MPa]'\n"
+      "plot $middle with lines lw 1.5 lc rgb '#0072b2' notitle\n"
       "unset grid\nset title 'Pressure [MPa]'\nset ylabel 'z [mm]'\nset yrange [{1:.7g}:{2:.7g}]\n"
       "set palette defined (0 '#440154', 1 '#31688e', 2 '#35b779', 3 '#fde725')\n"
-      "plot $field using 1:2:3 with image pixels notitle\nunset multiplot\n",
+      "plot $field using 1:2:3 with image notitle\nunset multiplot\n",
       1e3 * field.z[stations / 2], 1e3 * field.z.front(), 1e3 * field.z.back());
   draw(plot, folder, "pressure");
 }

@@ -8,11 +8,11 @@
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 #include <boost/numeric/odeint/util/unwrap_reference.hpp>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
+#include "lubjoint/dynamics/complex_shift_solver.hpp"
 #include "lubjoint/dynamics/radau_tableau.hpp"
 
 namespace lubjoint {
@@ -34,7 +34,7 @@ struct StepperCounts {
 /// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
 ///
 /// A trial state at which f throws std::domain_error, or that is not finite, is a failed step: it is halved.
-/// @tparam R  scalar with std::complex (double, long double);  @tparam N  number of states
+/// @tparam R  double, long double, or a Boost.Multiprecision number;  @tparam N  number of states
 template <class R, std::size_t N>
 class RadauIIA5 {
  public:
@@ -77,7 +77,8 @@ class RadauIIA5 {
     if (!started_ || x != x_ || t != t_) begin_at(x, t);
     try {
       if (!jacobian_is_current_) {
-        evaluate(parts.first, x_, t_, f_);
+        if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
+        rate_is_current_ = true;
         parts.second(x_, jacobian_, t_);
         if (!jacobian_.allFinite() || !f_.allFinite()) return fail(dt, R(0.5));
         jacobian_is_current_ = true;
@@ -88,6 +89,10 @@ class RadauIIA5 {
       if (!solve_stages(parts.first, dt, newton_rate)) return fail(dt, R(0.5));
       R error = estimate(parts.first, dt);
       if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
+      if (error < 1) {  // the end of the step is a trial state too; its rate begins the next step
+        evaluate(parts.first, displaced(z_[2]), t_ + dt, f_end_);
+        if (!f_end_.allFinite()) return fail(dt, R(0.5));
+      }
       return finish(x, t, dt, std::max<R>(error, R(1e-10)));
     } catch (const std::domain_error&) {
       return fail(dt, R(0.5));
@@ -114,9 +119,6 @@ class RadauIIA5 {
   const StepperCounts& counts() const { return counts_; }
 
  private:
-  using Complex = std::complex<R>;
-  using ComplexVector = Eigen::Matrix<Complex, static_cast<int>(N), 1>;
-  using ComplexMatrix = Eigen::Matrix<Complex, static_cast<int>(N), static_cast<int>(N)>;
   using Stages = std::array<Vector, 3>;
 
   static constexpr int max_newton_iterations = 7;
@@ -138,6 +140,7 @@ class RadauIIA5 {
     x_ = x;
     t_ = t;
     started_ = true;
+    rate_is_current_ = false;
     jacobian_is_current_ = false;
     first_step_ = true;
     last_failed_ = false;
@@ -164,8 +167,7 @@ class RadauIIA5 {
 
   void factorise(const R& dt) {
     real_.compute(Matrix::Identity() * (tableau_.gamma / dt) - jacobian_);
-    complex_.compute(ComplexMatrix::Identity() * (Complex(tableau_.alpha, tableau_.beta) / dt) -
-                     jacobian_.template cast<Complex>());
+    complex_.factorise(jacobian_, tableau_.alpha / dt, tableau_.beta / dt);
     factorised_for_ = dt;
     ++counts_.factorisations;
   }
@@ -195,18 +197,15 @@ class RadauIIA5 {
         r[i] = tab.t_inverse(i, 0) * g[0] + tab.t_inverse(i, 1) * g[1] + tab.t_inverse(i, 2) * g[2];
       }
       const Vector real_right = r[0] - (tab.gamma / h) * w[0];
-      const Vector right_2 = r[1] - (tab.alpha / h) * w[1] + (tab.beta / h) * w[2];
-      const Vector right_3 = r[2] - (tab.beta / h) * w[1] - (tab.alpha / h) * w[2];
+      Vector right_2 = r[1] - (tab.alpha / h) * w[1] + (tab.beta / h) * w[2];
+      Vector right_3 = r[2] - (tab.beta / h) * w[1] - (tab.alpha / h) * w[2];
       const Vector d0 = real_.solve(real_right);
-      ComplexVector right;
-      right.real() = right_2;
-      right.imag() = right_3;
-      const ComplexVector d = complex_.solve(right);
+      complex_.solve_in_place(right_2, right_3);
       w[0] += d0;
-      w[1] += d.real();
-      w[2] += d.imag();
+      w[1] += right_2;
+      w[2] += right_3;
       const R size =
-          sqrt((square_scaled(d0) + square_scaled(d.real()) + square_scaled(d.imag())) / static_cast<R>(3 * N));
+          sqrt((square_scaled(d0) + square_scaled(right_2) + square_scaled(right_3)) / static_cast<R>(3 * N));
       if (!std::isfinite(static_cast<double>(size))) return false;
       for (int i = 0; i < 3; ++i) z_[i] = tab.t(i, 0) * w[0] + tab.t(i, 1) * w[1] + tab.t(i, 2) * w[2];
       if (iterations_ > 1) {
@@ -283,6 +282,8 @@ class RadauIIA5 {
     x = x_;
     t = t_;
     set_scale();
+    f_ = f_end_;
+    rate_is_current_ = true;
     jacobian_is_current_ = false;
     R next = dt / shrink;
     if (last_failed_) next = std::min(next, dt);
@@ -302,15 +303,17 @@ class RadauIIA5 {
   bool first_step_ = true;
   bool last_failed_ = false;
   bool has_old_step_ = false;
+  bool rate_is_current_ = false;
   bool jacobian_is_current_ = false;
   state_type x_{};
   R t_ = 0;
   Vector scale_;
   Vector f_;
+  Vector f_end_;  ///< at the end of the trial step
   Matrix jacobian_;
   R factorised_for_ = 0;
   Eigen::PartialPivLU<Matrix> real_;
-  Eigen::PartialPivLU<ComplexMatrix> complex_;
+  ComplexShiftSolver<R, static_cast<int>(N)> complex_;
   Stages z_;
   int iterations_ = 0;
   R h_accepted_ = 0;

@@ -52,13 +52,37 @@ Vector2<T> polar_law_in_plane(const FilmState<T>& film, HalfFilmSide side) {
                     T(ratio.radial * view.radial.y() + ratio.tangential * t.y()));
 }
 
+/// evaluate(film) for a function of degree one in u, also where |u| is so small or large that derivatives of its
+/// quotients would leave the range: then F(ê, u) = σF(ê, u/σ) with σ = max |u_i|, ∂F/∂u at u is that at u/σ, and ∂F/∂ê
+/// is σ times that at u/σ. The derivatives of u are passed on as they are, those of ê multiplied by σ.
+template <class T, class Evaluate>
+Vector2<T> in_range_of_derivatives(const FilmState<T>& film, const Evaluate& evaluate) {
+  if constexpr (ScalarTraits<T>::carries_derivatives) {
+    using R = RealOf<T>;
+    const R size = larger_magnitude<R>(value_of(film.velocity.x()), value_of(film.velocity.y()));
+    if (!(size > R(1e-60) && size < R(1e60))) {
+      const auto slow = [&size](const T& v) { return T(value_of(v) / size, v.derivatives()); };
+      const auto weighted = [&size](const T& x) { return T(value_of(x), size * x.derivatives()); };
+      const Vector2<T> e_hat(weighted(film.eccentricity.x()), weighted(film.eccentricity.y()));
+      const Vector2<T> u(slow(film.velocity.x()), slow(film.velocity.y()));
+      Vector2<T> force = evaluate(FilmState<T>(e_hat, u, weighted(film.q)));
+      force.x().value() *= size;
+      force.y().value() *= size;
+      return force;
+    }
+  }
+  return evaluate(film);
+}
+
 template <FilmLaw Law, class T>
 Vector2<T> force_ratio_in_motion(const FilmState<T>& film) {
-  if constexpr (PolarLaw<Law>) {
-    return polar_law_in_plane<Law>(film, side_of(film));
-  } else {
-    return Law::force_ratio(film);
-  }
+  return in_range_of_derivatives(film, [](const FilmState<T>& state) -> Vector2<T> {
+    if constexpr (PolarLaw<Law>) {
+      return polar_law_in_plane<Law>(state, side_of(state));
+    } else {
+      return Law::force_ratio(state);
+    }
+  });
 }
 
 /// Value zero, derivatives J du: every law is homogeneous in u, so at u = 0 its derivative in ê vanishes, and the one

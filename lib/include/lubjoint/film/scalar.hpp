@@ -72,7 +72,11 @@ T one_minus_squared_norm(const T& x, const T& y) {
   } else if constexpr (std::is_floating_point_v<T>) {
     const T xx = x * x;
     const T yy = y * y;
-    const T rough = xx < yy ? (1 - yy) - xx : (1 - xx) - yy;
+    const T larger = xx < yy ? yy : xx;
+    const T smaller = xx < yy ? xx : yy;
+    // Exact where it cancels: 1 − x for x ≥ ½, and ½ − x for ¼ ≤ x ≤ 1 (both squares near ½, on the diagonal).
+    const bool diagonal = smaller > T(0.25);
+    const T rough = diagonal ? (T(0.5) - larger) + (T(0.5) - smaller) : (1 - larger) - smaller;
     if (rough > T(0.5)) return rough;  // no cancellation: three roundings of numbers near 1
     return rough - (std::fma(x, x, -xx) + std::fma(y, y, -yy));
   } else {

@@ -13,8 +13,9 @@ namespace lubjoint {
 /// A rigid body in the plane and its state at t = 0.
 struct SceneBody {
   std::string name;
-  double mass = 0;     ///< [kg]
-  double inertia = 0;  ///< about the mass centre [kg m²]
+  std::size_t line = 0;  ///< of the file, for messages
+  double mass = 0;       ///< [kg]
+  double inertia = 0;    ///< about the mass centre [kg m²]
   Vector2<double> position{0, 0};
   double angle = 0;
   Vector2<double> velocity{0, 0};
@@ -36,7 +37,8 @@ struct SceneAnchor {
 /// A journal bearing between two bodies.
 struct SceneJoint {
   std::string name;
-  std::string film;  ///< name of the law
+  std::size_t line = 0;  ///< of the file, for messages
+  std::string film;      ///< name of the law
   double viscosity = 0;
   double length = 0;
   double journal_radius = 0;

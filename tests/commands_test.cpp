@@ -1,0 +1,268 @@
+// What the commands answer, run as a user runs them.
+#include <sys/resource.h>
+
+#include <catch2/catch.hpp>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lubjoint/film/law_list.hpp"
+#include "support/csv.hpp"
+#include "support/run_program.hpp"
+#include "support/scene_text.hpp"
+
+using namespace lubjoint::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using lubjoint::testing::CsvRow;
+using lubjoint::testing::read_csv;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+const std::string scene = journal_scene_file;
+constexpr double load = 31.2753;  // 30 N and the weight of 0.13 kg
+
+Words keys(const Json& object) {
+  Words names;
+  for (const auto& item : object.items()) names.push_back(item.key());
+  return names;
+}
+
+Json json_of(const Words& arguments, int status = 0) {
+  const ProgramResult result = lubjoint_program(arguments);
+  INFO(result.err);
+  REQUIRE(result.status == status);
+  return Json::parse(result.out);
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+double number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  REQUIRE((error == std::errc() && end == text.data() + text.size()));
+  return value;
+}
+
+/// Processor time of the programs that have ended [s].
+double children_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+const Words simulate_json{"simulate", scene, "--law", "pinkus_sternlicht", "--rtol", "1e-10", "--json"};
+
+}  // namespace
+
+TEST_CASE("simulate: the journal's film carries the load after 1 s, in less than 0.1 s of process time") {
+  const double before = children_seconds();
+  const Json summary = json_of(simulate_json);
+  CHECK(children_seconds() - before < 0.1);
+  CHECK(summary["status"] == "finished");
+  CHECK(summary["message"] == "");
+  CHECK(summary["t_end"] == 1.0);
+  const Json& final_state = summary["joints"][0]["final"];
+  CHECK(std::abs(final_state["fy"].get<double>() - load) < 1e-5);  // still decaying: 5e-6 N at 1 s
+  CHECK(std::abs(final_state["fx"].get<double>()) < 1e-5);         // the same decay
+  CHECK(std::abs(summary["joints"][0]["max_eccentricity_ratio"].get<double>() - 0.258) < 5e-4);  // printed digits
+}
+
+TEST_CASE("simulate: the keys of the JSON summary are the documented ones, in their order") {
+  const Json summary = json_of(simulate_json);
+  const Words all = keys(summary);
+  const Words documented{"scene",           "law",    "integrator", "status", "message",        "t_end", "steps",
+                         "rhs_evaluations", "wall_s", "joints",     "driver", "energy_residual"};
+  Words found;
+  for (const std::string& key : all) {
+    if (std::find(documented.begin(), documented.end(), key) != documented.end()) found.push_back(key);
+  }
+  CHECK(found == documented);
+  REQUIRE(summary["joints"].size() == 1);
+  const Json& joint = summary["joints"][0];
+  for (const char* key : {"name", "final", "max_eccentricity_ratio", "max_force", "min_film_thickness"}) {
+    CHECK(joint.contains(key));
+  }
+  CHECK(keys(joint["final"]) == Words{"ex_over_c", "ey_over_c", "eccentricity_ratio", "fx", "fy"});
+  CHECK(joint["name"] == "bearing");
+  CHECK(summary["driver"].is_null());
+  CHECK(summary["energy_residual"].is_null());
+  CHECK(summary["steps"].is_number_unsigned());
+  CHECK(summary["rhs_evaluations"].is_number_unsigned());
+  CHECK(summary["wall_s"].get<double>() > 0);
+}
+
+TEST_CASE("simulate: the same run gives the same bits, whatever the locale and the order of the options") {
+  const auto bits = [](const Words& arguments, const ProgramSetting& setting = {}) {
+    Json summary = Json::parse(lubjoint_program(arguments, setting).out);
+    summary.erase("wall_s");
+    return summary.dump();
+  };
+  const std::string reference = bits(simulate_json);
+  CHECK(bits(simulate_json) == reference);
+  CHECK(bits({"simulate", "--json", "--rtol=1e-10", "--law", "pinkus_sternlicht", scene}) == reference);
+  for (const char* locale : {"de_DE.UTF-8", "C", "C.UTF-8", "no_such_locale"}) {
+    CHECK(bits(simulate_json, {.environment = {{"LC_ALL", locale}, {"LANG", locale}}}) == reference);
+  }
+}
+
+TEST_CASE("simulate: the trajectory has the documented columns, a row each interval, and ends as the summary says") {
+  const TemporaryFolder folder;
+  const Json summary = json_of({"simulate", scene, "--out", folder / "a/b", "--json"});
+  const std::string file = folder / "a/b/journal.csv";
+  CHECK(folder.entries() == std::set<std::string>{"a", "a/b", "a/b/journal.csv"});
+  CHECK(first_line(read_text(file)) ==
+        "t,journal.x,journal.y,journal.phi,journal.vx,journal.vy,journal.omega,bearing.ex,bearing.ey,"
+        "bearing.eccentricity_ratio,bearing.attitude,bearing.fx,bearing.fy,bearing.film_thickness");
+  const std::vector<CsvRow> rows = read_csv(file);
+  REQUIRE(rows.size() == 1001);
+  CHECK(number(rows.front().at("t")) == 0);
+  CHECK(number(rows.back().at("t")) == 1);
+  constexpr double c = 2e-4;
+  constexpr double spin = 52.35987755982989;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = [&](const char* name) { return number(rows[i].at(name)); };
+    const double t = at("t");
+    const double ratio = at("bearing.eccentricity_ratio");
+    const bool fits = std::abs(t - 1e-3 * static_cast<double>(i)) < 1e-15 &&  // rounding
+                      std::abs(at("journal.phi") - spin * t) < 1e-13 &&       // rounding of 52
+                      at("journal.omega") == spin && at("journal.x") == at("bearing.ex") &&
+                      std::abs(std::hypot(at("bearing.ex"), at("bearing.ey")) - c * ratio) < 1e-18 &&  // rounding of c
+                      std::abs(at("bearing.film_thickness") - c * (1 - ratio)) < 1e-18;                // rounding of c
+    INFO("row " << i);
+    CHECK(fits);
+  }
+  const Json& final_state = summary["joints"][0]["final"];
+  CHECK(number(rows.back().at("bearing.fx")) == final_state["fx"].get<double>());
+  CHECK(number(rows.back().at("bearing.fy")) == final_state["fy"].get<double>());
+  CHECK(number(rows.back().at("bearing.eccentricity_ratio")) == final_state["eccentricity_ratio"].get<double>());
+}
+
+TEST_CASE("simulate: a run that can't go on exits 1, names time, joint and eccentricity, and keeps what it has") {
+  const TemporaryFolder folder;
+  const std::string limited =
+      folder.write("limited.toml", journal_text().replaced(journal_text().field("integrator.name"), "max_steps = 60"));
+  const Json summary = json_of({"simulate", limited, "--json", "--out", folder / "out"}, 1);
+  CHECK(summary["status"] == "stopped");
+  const double t_end = summary["t_end"];
+  CHECK((t_end > 1e-3 && t_end < 1));
+  const std::string message = summary["message"];
+  CHECK_THAT(message, StartsWith("stopped at t = ") && Contains("joint \"bearing\"") &&
+                          Contains("eccentricity ratio 0.") && Contains("60 steps"));
+  const std::vector<CsvRow> rows = read_csv(folder / "out/journal.csv");
+  CHECK(rows.size() > 1);
+  CHECK(number(rows.back().at("t")) == t_end);
+
+  const std::string thin = folder.write("thin.toml", journal_text().with("joints[0].viscosity", "1e-300"));
+  const Json fallen = json_of({"simulate", thin, "--json"}, 1);
+  CHECK(fallen["status"] == "stopped");
+  CHECK(fallen["joints"][0]["final"]["eccentricity_ratio"].get<double>() <= 1);
+  CHECK(fallen["joints"][0]["min_film_thickness"].get<double>() >= 0);
+  CHECK(lubjoint_program({"simulate", thin}).status == 1);
+}
+
+TEST_CASE("simulate: every law and integrator runs, and the integrators agree") {
+  for (const std::string_view law : lubjoint::film_law_names) {
+    const auto run = [&](const std::string& integrator) {
+      return json_of({"simulate", scene, "--law", std::string(law), "--integrator", integrator, "--rtol", "1e-10",
+                      "--duration", "0.02", "--json"});
+    };
+    const Json stiff = run("radau_iia5");
+    CHECK(stiff["law"] == law);
+    for (const char* integrator : {"dopri5", "fehlberg78"}) {
+      const Json other = run(integrator);
+      INFO(law << " " << integrator);
+      CHECK(other["integrator"] == integrator);
+      for (const char* key : {"ex_over_c", "ey_over_c"}) {
+        const double difference =
+            stiff["joints"][0]["final"][key].get<double>() - other["joints"][0]["final"][key].get<double>();
+        CHECK(std::abs(difference) < 1e-7);  // tolerance 1e-10 a step, up to some thousand steps, and events
+      }
+    }
+  }
+}
+
+TEST_CASE("simulate: relative paths are those of the folder it runs in, and the summary alone is on standard output") {
+  const TemporaryFolder folder;
+  folder.write("s.toml", read_text(scene));
+  const ProgramResult result =
+      lubjoint_program({"simulate", "s.toml", "--out", "."}, {.folder = folder.path().string()});
+  CHECK(result.status == 0);
+  CHECK(folder.entries() == std::set<std::string>{"journal.csv", "s.toml"});
+  CHECK_THAT(result.out, StartsWith("scene        journal\n"));
+  CHECK_THAT(result.err, Contains("journal.csv"));
+  CHECK(result.err.find('\r') == std::string::npos);  // no progress bar where there is no terminal
+  const ProgramResult again =
+      lubjoint_program({"simulate", "s.toml", "--out", "."}, {.folder = folder.path().string()});
+  CHECK(again.status == 0);  // a second run replaces the first one's file
+}
+
+TEST_CASE("simulate: short_half comes to its equilibrium within 3 s") {
+  const Json rest = json_of({"equilibrium", scene, "--law", "short_half", "--json"});
+  const Json run = json_of({"simulate", scene, "--law", "short_half", "--rtol", "1e-10", "--duration", "3", "--json"});
+  for (const char* key : {"ex_over_c", "ey_over_c", "eccentricity_ratio"}) {
+    const double difference = rest[key].get<double>() - run["joints"][0]["final"][key].get<double>();
+    CHECK(std::abs(difference) < 1e-7);  // e^(-5.9 · 3) of the start, 2e-9, and the integration's tolerance
+  }
+}
+
+TEST_CASE("equilibrium: short_half rests at 0.1174, its film carries the load, and its eigenvalues come in pairs") {
+  const Json rest = json_of({"equilibrium", scene, "--law", "short_half", "--json"});
+  CHECK(std::abs(rest["eccentricity_ratio"].get<double>() - 0.1174) < 5e-5);  // printed digits
+  CHECK(std::abs(rest["fx"].get<double>()) < 1e-12 * load);                   // rounding of e
+  CHECK(std::abs(rest["fy"].get<double>() - load) < 1e-12 * load);            // rounding of e
+  CHECK(rest["law"] == "short_half");
+  CHECK(rest["stability"] == "decays");
+  REQUIRE(rest["eigenvalues"].size() == 4);
+  for (const Json& value : rest["eigenvalues"]) CHECK(value["re"].get<double>() < 0);
+  CHECK(rest["eigenvalues"][0]["im"].get<double>() == -rest["eigenvalues"][1]["im"].get<double>());
+  for (const char* matrix : {"stiffness", "damping"}) {
+    REQUIRE(rest[matrix].size() == 2);
+    CHECK(rest[matrix][0].size() == 2);
+  }
+  const ProgramResult text = lubjoint_program({"equilibrium", scene, "--law", "short_half"});
+  CHECK(text.status == 0);
+  CHECK_THAT(text.out, Contains("0.1174337638") && Contains("decays"));
+}
+
+TEST_CASE("Program: help and version are answers, of every command") {
+  for (const Words& arguments : {Words{"--help"},
+                                 {"--version"},
+                                 {"simulate", "--help"},
+                                 {"force", "--help"},
+                                 {"equilibrium", "-h"},
+                                 {"reproduce", "--help"},
+                                 {"accuracy", "--help"}}) {
+    const ProgramResult result = lubjoint_program(arguments);
+    CHECK(result.status == 0);
+    CHECK_FALSE(result.out.empty());
+    CHECK(result.err.empty());
+  }
+}
+
+TEST_CASE("reproduce: all eight laws agree, and the files that it names are there") {
+  const TemporaryFolder folder;
+  const ProgramResult result = lubjoint_program({"reproduce", "--out", folder / "out"}, {.seconds = 300});
+  INFO(result.out << result.err);
+  CHECK(result.status == 0);
+  for (const std::string_view law : lubjoint::film_law_names) {
+    const std::size_t row = result.out.find("\n" + std::string(law) + " ");
+    REQUIRE(row != std::string::npos);
+    CHECK_THAT(result.out.substr(row + 1, result.out.find('\n', row + 1) - row), Contains("  yes"));
+    CHECK(std::filesystem::file_size(folder / ("out/journal-" + std::string(law) + ".csv")) > 10'000);
+  }
+  const std::vector<CsvRow> summary = read_csv(folder / "out/journal-summary.csv");
+  CHECK(summary.size() == 8);
+  for (const CsvRow& row : summary) CHECK(row.at("agrees") == "yes");
+  for (const char* plot : {"journal-orbit", "journal-fx", "journal-fy"}) {
+    for (const char* extension : {".svg", ".png"}) {
+      CHECK(std::filesystem::file_size(folder / (std::string("out/") + plot + extension)) > 1000);
+    }
+  }
+  for (const std::string& name : folder.entries()) CHECK(name.find(".part-") == std::string::npos);
+}
