@@ -41,7 +41,9 @@ class GoldenTable {
     return line.substr(begin, line.find(',', begin) - begin);
   }
   /// An output rounded to double: strtod, as numbers below its range are wanted as what is left of them.
-  double output(std::size_t row, std::string_view column) const { return std::strtod(text(row, column).c_str(), nullptr); }
+  double output(std::size_t row, std::string_view column) const {
+    return std::strtod(text(row, column).c_str(), nullptr);
+  }
 
   PolarState polar(std::size_t row) const {
     return {number(row, "eccentricity_ratio"), number(row, "slip_rate"), number(row, "squeeze_rate")};
