@@ -182,5 +182,5 @@ TEST_CASE("certified golden data: a flipped digit fails the check, which names f
   REQUIRE(differences.size() == 2);
   CHECK_THAT(differences[0].text(), Contains("film_extent.csv: SHA-256"));
   CHECK_THAT(differences[1].text(), Contains("film_extent.csv, line 99 (row 98), column theta_") &&
-                                        Contains("off by 3.2e-30 of it"));  // 1e-29/π
+                                        Contains("off by 3.18e-30 of it"));  // 1e-29/π
 }
