@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "oracle/certified/golden_table.hpp"
@@ -16,15 +17,17 @@ namespace {
 using Rows = std::vector<std::string>;
 
 /// Rows of all tables, those that were asked for. Each is made on its own, so the threads decide nothing but the time.
-std::vector<Rows> make_rows(const std::vector<GoldenTable>& tables, const GoldenRun& run) {
+/// @param whole  tables whose rows are all wanted, whatever run.every says
+std::vector<Rows> make_rows(const std::vector<GoldenTable>& tables, const GoldenRun& run,
+                            const std::set<std::string>& whole) {
   struct Job {
     std::size_t table, row;
   };
   std::vector<Job> jobs;
   std::vector<Rows> rows;
-  const std::size_t every = std::max<std::size_t>(run.every, 1);
   for (std::size_t table = 0; table < tables.size(); ++table) {
     rows.emplace_back(tables[table].rows);
+    const std::size_t every = whole.contains(tables[table].file) ? 1 : std::max<std::size_t>(run.every, 1);
     for (std::size_t row = 0; row < tables[table].rows; row += every) jobs.push_back({table, row});
   }
   std::atomic<std::size_t> next = 0;
@@ -70,7 +73,7 @@ void write_golden(const std::filesystem::path& folder, const GoldenRun& run) {
   reports::prepare_folder(folder);
   GoldenRun whole = run;
   whole.every = 1;
-  const std::vector<Rows> rows = make_rows(tables, whole);
+  const std::vector<Rows> rows = make_rows(tables, whole, {});
   std::vector<reports::GoldenFile> files;
   for (std::size_t i = 0; i < tables.size(); ++i) files.push_back({tables[i].file, joined(tables[i], rows[i])});
   for (const reports::GoldenFile& file : files) reports::write_file(folder / file.name, file.text);
@@ -82,7 +85,9 @@ std::vector<reports::GoldenDifference> check_golden(const std::filesystem::path&
   std::vector<std::string> names;
   for (const GoldenTable& table : tables) names.push_back(table.file);
   std::vector<reports::GoldenDifference> differences = reports::manifest_differences(folder, names);
-  const std::vector<Rows> rows = make_rows(tables, run);
+  std::set<std::string> suspect;
+  for (const reports::GoldenDifference& difference : differences) suspect.insert(difference.file);
+  const std::vector<Rows> rows = make_rows(tables, run, suspect);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (!std::filesystem::exists(folder / tables[i].file)) continue;  // the manifest's check has named it
     const std::string found = reports::read_input((folder / tables[i].file).string());

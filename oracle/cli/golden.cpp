@@ -44,7 +44,9 @@ void add_golden(CLI::App& app, Action& action) {
   command->add_flag("--check", options->check, "Compare byte for byte instead of writing; exit status 1 if different");
   command->add_option("--out", options->out, "Folder of the golden data")->capture_default_str();
   command->add_option("--threads", options->run.threads, "Threads; 0: one a core")->check(CLI::Range(0, 256));
-  command->add_option("--every", options->run.every, "With --check: only every so manyth row of each file")
+  command
+      ->add_option("--every", options->run.every,
+                   "With --check: only every so manyth row of the files whose checksum is right")
       ->check(CLI::Range(1, 1000000));
   command->callback([options, &action] {
     action = [options] {
