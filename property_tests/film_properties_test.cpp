@@ -162,6 +162,7 @@ TEST_CASE("polar and vector evaluation of every law are one") {
     INFO(Law::name);
     rc::prop(of_law<Law>("F = F_r r + F_t t"), [] {
       const PolarFilmState<double> polar = *generate::film();
+      RC_PRE(polar.eccentricity_ratio > 0);  // at e = 0 a vector has no r of its own: half films take it along u
       const Vec in_plane = force_ratio<Law>(polar.in_own_frame());
       const PolarForce<double> ratio = polar_force_ratio<Law>(polar);
       RC_ASSERT(std::abs(in_plane.x() - ratio.radial) <= 4 * epsilon_of_double * size(ratio));      // rounding

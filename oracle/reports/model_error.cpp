@@ -138,16 +138,22 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
   Scene scene;
   scene.file = "bearing";
   scene.name = "bearing";
-  scene.bodies.push_back({"journal", 1.0, 1.0, {0, 0}, 0, {0, 0}, spin_sum});
-  scene.loads.push_back({0, {0, -load}});
-  scene.joints.push_back({"bearing",
-                          "",
-                          oil.viscosity(),
-                          bearing.length(),
-                          bearing.radius(),
-                          bearing.clearance(),
-                          {std::nullopt, {0, 0}},
-                          {std::size_t{0}, {0, 0}}});
+  SceneBody journal;
+  journal.name = "journal";
+  journal.mass = journal.inertia = 1;
+  journal.spin = spin_sum;
+  scene.bodies.push_back(journal);
+  SceneLoad weight;
+  weight.force = {0, -load};
+  scene.loads.push_back(weight);
+  SceneJoint joint;
+  joint.name = "bearing";
+  joint.viscosity = oil.viscosity();
+  joint.length = bearing.length();
+  joint.journal_radius = bearing.radius();
+  joint.clearance = bearing.clearance();
+  joint.journal.body = 0;
+  scene.joints.push_back(joint);
   std::vector<LoadedState> states;
   for (const std::string_view law : film_law_names) {
     scene.joints.front().film = law;
