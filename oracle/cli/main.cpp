@@ -35,6 +35,9 @@ int main(int argc, char** argv) {
   lubjoint::cli::add_model_error(app, action);
   lubjoint::cli::add_accuracy(app, action);
   lubjoint::cli::add_bench(app, action);
+#if LUBJOINT_HAS_CERTIFIED
+  lubjoint::cli::add_golden(app, action);
+#endif
 #if LUBJOINT_HAS_PROOFS
   lubjoint::cli::add_prove(app, action);
 #endif

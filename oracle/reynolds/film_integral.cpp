@@ -110,7 +110,13 @@ Estimate pressure_from_edge(const NarrowGap& gap, const FilmWindow& window, bool
       magnitude += std::abs(w) * (slope.g_magnitude(place) + slope.g_magnitude(mean));
     }
   }
-  return {value[1], std::abs(value[1] - value[0]) + 8 * std::numeric_limits<double>::epsilon() * magnitude};
+  // The rounding of φ and of the edge, up to π both, matters where they are close to each other.
+  const auto steepness = [&](double at) {
+    const PressureSlope::Place place = slope.at(at);
+    return std::abs(place.weight * (slope.g(place) - slope.g(mean)));
+  };
+  const double edges = 4 * (steepness(part.from) + steepness(part.to));
+  return {value[1], std::abs(value[1] - value[0]) + std::numeric_limits<double>::epsilon() * (8 * magnitude + edges)};
 }
 
 }  // namespace

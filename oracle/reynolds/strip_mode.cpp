@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace lubjoint::oracle {
 
@@ -95,11 +96,7 @@ void StripMode::assemble(const Strip& strip, double kappa) {
   const Eigen::Index nodes = degree + 1;
   const int offset = strip.open_ends ? 1 : 0;
   const int count = static_cast<int>(elements * degree) + 1 - 2 * offset;
-  matrix_.clear();
-  for (int row = 0; row < count; ++row) {
-    const int element = row + offset == 0 ? 0 : (row + offset - 1) / static_cast<int>(degree);
-    matrix_.add_row(std::max(0, element * static_cast<int>(degree) - offset));
-  }
+  entries_.clear();
   solution_ = Eigen::VectorXd::Zero(count);
   for (Eigen::Index e = 0; e < elements; ++e) {
     const double half = (breaks_[static_cast<std::size_t>(e) + 1] - breaks_[static_cast<std::size_t>(e)]) / 2;
@@ -113,19 +110,24 @@ void StripMode::assemble(const Strip& strip, double kappa) {
       if (row < 0 || row >= count) continue;
       for (Eigen::Index j = 0; j <= i; ++j) {
         const int column = static_cast<int>(e * degree + j) - offset;
-        if (column >= 0) matrix_.at(row, column) += stiffness_(i, j);
+        if (column >= 0) entries_.emplace_back(column, row, stiffness_(i, j));
       }
-      matrix_.at(row, row) += kappa * kappa * weight[i] * cubed[i];
+      entries_.emplace_back(row, row, kappa * kappa * weight[i] * cubed[i]);
       solution_[row] += weight[i] * source_[e * nodes + i];
     }
   }
+  matrix_.resize(count, count);
+  matrix_.setFromTriplets(entries_.begin(), entries_.end());
 }
 
 void StripMode::solve(const Strip& strip, double kappa) {
   place_nodes(strip, kappa);
   assemble(strip, kappa);
-  matrix_.factor();
-  matrix_.solve(solution_);
+  cholesky_.compute(matrix_);
+  if (cholesky_.info() != Eigen::Success) {
+    throw std::runtime_error("the matrix of the finite-length film is not positive definite");
+  }
+  solution_ = cholesky_.solve(solution_).eval();
   if (strip.open_ends) {
     Eigen::VectorXd with_ends = Eigen::VectorXd::Zero(solution_.size() + 2);
     with_ends.segment(1, solution_.size()) = solution_;

@@ -1,10 +1,11 @@
 /// One axial harmonic of a finite-length film whose bounds do not depend on z.
 #pragma once
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "lubjoint/film/extent.hpp"
-#include "oracle/reynolds/envelope_cholesky.hpp"
 #include "oracle/reynolds/lobatto.hpp"
 #include "oracle/reynolds/scaled_film.hpp"
 
@@ -38,7 +39,7 @@ class StripMode {
   Eigen::Vector2d moment() const { return moment_; }
   /// ∫ s/H³ (cosθ, sinθ) dθ with the same quadrature: what the moment times κ² tends to as κ grows.
   Eigen::Vector2d short_moment() const { return short_moment_; }
-  int unknowns() const { return matrix_.size(); }
+  int unknowns() const { return static_cast<int>(matrix_.rows()); }
   /// f at a point of the strip.
   double at(double x) const;
 
@@ -47,7 +48,10 @@ class StripMode {
   void assemble(const Strip& strip, double kappa);
 
   LobattoRule rule_;
-  EnvelopeCholesky matrix_;
+  // The upper triangle, numbered along the strip: a chain of dense blocks, to which the factor adds nothing.
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> cholesky_;
+  std::vector<Eigen::Triplet<double>> entries_;
   std::vector<double> breaks_;
   Eigen::VectorXd x_, weight_, cubed_, source_;  // a column of degree + 1 nodes for each element
   Eigen::VectorXd solution_;                     // at the distinct nodes

@@ -1,0 +1,61 @@
+#include "oracle/certified/golden.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/progress.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+struct GoldenOptions {
+  std::string out = LUBJOINT_GOLDEN;
+  bool check = false;
+  certified::GoldenRun run;
+};
+
+int run_golden(const GoldenOptions& options) {
+  std::unique_ptr<reports::ProgressBar> bar;  // made when the number of rows is known
+  certified::GoldenRun run = options.run;
+  run.progress = [&bar](std::size_t, std::size_t all) {
+    if (!bar) bar = std::make_unique<reports::ProgressBar>("golden data", all);
+    bar->advance();
+  };
+  if (!options.check) {
+    certified::write_golden(options.out, run);
+    bar.reset();
+    std::cerr << "golden data written to " << options.out << '\n';
+    return 0;
+  }
+  const auto differences = certified::check_golden(options.out, run);
+  bar.reset();
+  for (const reports::GoldenDifference& difference : differences) std::cout << difference.text() << '\n';
+  if (differences.empty()) std::cout << options.out << ": every byte as regenerated\n";
+  return differences.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_golden(CLI::App& app, Action& action) {
+  auto options = std::make_shared<GoldenOptions>();
+  CLI::App* command = app.add_subcommand("golden", "Regenerate the certified golden data, or compare with it");
+  command->add_flag("--check", options->check, "Compare byte for byte instead of writing; exit status 1 if different");
+  command->add_option("--out", options->out, "Folder of the golden data")->capture_default_str();
+  command->add_option("--threads", options->run.threads, "Threads; 0: one a core")->check(CLI::Range(0, 256));
+  command
+      ->add_option("--every", options->run.every,
+                   "With --check: only every so manyth row of the files whose checksum is right")
+      ->check(CLI::Range(1, 1000000));
+  command->callback([options, &action] {
+    action = [options] {
+      if (options->run.every > 1 && !options->check) {
+        throw std::invalid_argument("--every is for --check; allowed is to write all rows or none");
+      }
+      return run_golden(*options);
+    };
+  });
+}
+
+}  // namespace lubjoint::cli
