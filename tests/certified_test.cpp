@@ -114,7 +114,7 @@ TEST_CASE("certified: Pinkus and Sternlicht's law is the integral of no pressure
   CHECK_THROWS_WITH(force_ratio_by_quadrature(Law::pinkus_sternlicht, film), Contains("no pressure"));
 }
 
-TEST_CASE("certified digits: 30 of them, correct, with half a unit of the last; exact numbers are exact") {
+TEST_CASE("certified digits: 30 of them, correct, with half a unit of the last, and exact numbers are exact") {
   const auto numbers = certify([] {
     return std::vector<Ball>{ball_pi(), -(Ball(1) / 3), Ball(0), Ball(-1250), Ball(1e-300), sqrt(Ball(4)) / 1024};
   });

@@ -1,9 +1,16 @@
 #include "oracle/certified/golden.hpp"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/reports/csv_table.hpp"
+#include "oracle/reports/files.hpp"
+#include "oracle/reports/golden_files.hpp"
+#include "oracle/reports/journal_trajectory.hpp"
 #include "oracle/reports/progress.hpp"
 
 namespace lubjoint::cli {
@@ -13,6 +20,8 @@ namespace {
 struct GoldenOptions {
   std::string out = LUBJOINT_GOLDEN;
   bool check = false;
+  bool trajectories = false;
+  bool fresh = false;
   certified::GoldenRun run;
 };
 
@@ -36,6 +45,53 @@ int run_golden(const GoldenOptions& options) {
   return differences.empty() ? 0 : 1;
 }
 
+/// Trajectories: one file a law, each written when it is done, so that an interrupted run goes on where it was.
+int run_trajectories(const GoldenOptions& options) {
+  namespace fs = std::filesystem;
+  const Scene scene = load_scene(fs::path(LUBJOINT_SCENES) / "journal.toml");
+  const SceneBody& body = scene.bodies.front();
+  const SceneJoint& joint = scene.joints.front();
+  const Vector2<double>& load = scene.loads.front().force;
+  const reports::JournalCase journal{joint.length,
+                                     joint.journal_radius,
+                                     joint.clearance,
+                                     joint.viscosity,
+                                     body.mass,
+                                     {load.x(), load.y()},
+                                     {scene.gravity.x(), scene.gravity.y()},
+                                     body.spin,
+                                     reports::reference_times(scene.run.duration)};
+  constexpr double tolerance = 1e-17;  // the two integrators then agree to about 16 digits
+  const fs::path folder = fs::path(options.out) / "trajectories";
+  if (!options.check) reports::prepare_folder(folder);
+  bool same = true;
+  for (const std::string_view law : film_law_names) {
+    const fs::path file = folder / ("journal-" + std::string(law) + ".csv");
+    if (!options.check && fs::exists(file) && !options.fresh) {
+      std::cerr << file.string() << " is there already (--fresh makes it anew)\n";
+      continue;
+    }
+    const auto trajectory = reports::reference_trajectory(std::string(law), journal, tolerance);
+    const std::string csv = reports::trajectory_reference_csv(trajectory);
+    std::cerr << file.string() << ": two integrators agree to " << trajectory.agreed_digits << " digits\n";
+    if (!options.check) {
+      reports::write_file(file, csv);
+      continue;
+    }
+    const reports::CsvTable expected(csv, "regenerated");
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < expected.rows(); ++i) rows.push_back(expected.line(i));
+    for (const auto& difference : reports::csv_differences(file.filename().string(), expected.header(), rows,
+                                                           reports::read_input(file.string()))) {
+      std::cout << difference.text() << '\n';
+      same = false;
+    }
+  }
+  if (!options.check) return 0;
+  if (same) std::cout << folder.string() << ": every byte as regenerated\n";
+  return same ? 0 : 1;
+}
+
 }  // namespace
 
 void add_golden(CLI::App& app, Action& action) {
@@ -48,12 +104,14 @@ void add_golden(CLI::App& app, Action& action) {
       ->add_option("--every", options->run.every,
                    "With --check: only every so manyth row of the files whose checksum is right")
       ->check(CLI::Range(1, 1000000));
+  command->add_flag("--trajectories", options->trajectories, "The trajectories, a step of its own: some 20 minutes");
+  command->add_flag("--fresh", options->fresh, "With --trajectories: also those that are there");
   command->callback([options, &action] {
     action = [options] {
       if (options->run.every > 1 && !options->check) {
         throw std::invalid_argument("--every is for --check; allowed is to write all rows or none");
       }
-      return run_golden(*options);
+      return options->trajectories ? run_trajectories(*options) : run_golden(*options);
     };
   });
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace lubjoint::certified {
+namespace lubjoint::reports {
 
 /// A free journal that starts at rest at the centre of a fixed bearing. SI units; all inputs are exact doubles.
 struct JournalCase {
@@ -49,4 +49,11 @@ struct ReferenceTrajectory {
 /// @throws std::runtime_error if an integrator can't go on
 ReferenceTrajectory reference_trajectory(const std::string& law, const JournalCase& journal, double tolerance);
 
-}  // namespace lubjoint::certified
+/// CSV of a trajectory: t [s], e/c [-], ė/c [1/s], force on the journal [N], and the two integrators' difference over
+/// the size of the vector.
+std::string trajectory_reference_csv(const ReferenceTrajectory& trajectory);
+
+/// Times of the reference trajectories [s]: the first milliseconds closely, then every 20 ms to the end.
+std::vector<double> reference_times(double duration);
+
+}  // namespace lubjoint::reports

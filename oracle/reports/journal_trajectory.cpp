@@ -1,4 +1,6 @@
-#include "oracle/certified/journal_trajectory.hpp"
+#include "oracle/reports/journal_trajectory.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -12,9 +14,10 @@
 #include <stdexcept>
 
 #include "lubjoint/dynamics/radau_iia5.hpp"
+#include "oracle/reports/files.hpp"
 #include "oracle/reports/published_forms.hpp"
 
-namespace lubjoint::certified {
+namespace lubjoint::reports {
 
 namespace {
 
@@ -43,7 +46,7 @@ class Journal {
 
   /// F_r/S, F_t/S with the half film on the side of the sign given.
   std::array<Real, 2> ratio(const Real& epsilon, const Real& a, const Real& b, int side) const {
-    const auto terms = reports::published_terms<Real>(law_, epsilon, a, b, side);
+    const auto terms = published_terms<Real>(law_, epsilon, a, b, side);
     std::array<Real, 2> sum = {Real(0), Real(0)};
     for (const Real& term : terms.radial) sum[0] += term;
     for (const Real& term : terms.tangential) sum[1] += term;
@@ -425,8 +428,8 @@ ReferenceTrajectory reference_trajectory(const std::string& law, const JournalCa
       const Real size = sqrt(b[k] * b[k] + b[k + 1] * b[k + 1]);
       const Real apart = sqrt((a[k] - b[k]) * (a[k] - b[k]) + (a[k + 1] - b[k + 1]) * (a[k + 1] - b[k + 1]));
       row.disagreement = std::max(row.disagreement, static_cast<double>(apart / size));
-      row.value[k] = digits_of(b[k], 19);
-      row.value[k + 1] = digits_of(b[k + 1], 19);
+      row.value[k] = digits_of(b[k], 15);
+      row.value[k + 1] = digits_of(b[k + 1], 15);
     }
     worst = std::max(worst, row.disagreement);
     result.rows.push_back(row);
@@ -436,4 +439,22 @@ ReferenceTrajectory reference_trajectory(const std::string& law, const JournalCa
   return result;
 }
 
-}  // namespace lubjoint::certified
+std::string trajectory_reference_csv(const ReferenceTrajectory& trajectory) {
+  std::string csv = "t,ex_over_c,ey_over_c,wx,wy,fx,fy,disagreement\n";
+  for (const TrajectoryRow& row : trajectory.rows) {
+    csv += number(row.t);
+    for (const std::string& value : row.value) csv += "," + value;
+    // One digit: the difference itself is rounding and truncation.
+    csv += fmt::format(",{:.0e}\n", row.disagreement);
+  }
+  return csv;
+}
+
+std::vector<double> reference_times(double duration) {
+  std::vector<double> times;
+  for (const double share : {1e-5, 1e-4, 1e-3, 2e-3, 5e-3, 1e-2}) times.push_back(share * duration);
+  for (int i = 1; i <= 50; ++i) times.push_back(duration * i / 50);
+  return times;
+}
+
+}  // namespace lubjoint::reports
