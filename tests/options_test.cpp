@@ -235,6 +235,6 @@ TEST_CASE("Options: a standard output that takes nothing is an error, not a succ
   for (const Words& command : {Words{"simulate", scene, "--json"}, Words{"equilibrium", scene}, force()}) {
     const ProgramResult result = lubjoint_program(command, {.input = good_states, .output = "/dev/full"});
     CHECK(result.status == 2);
-    CHECK_THAT(result.err, StartsWith("lubjoint: ") && Contains("standard output"));
+    CHECK_THAT(result.err, Contains("lubjoint: standard output"));
   }
 }

@@ -87,7 +87,19 @@ int run_trajectories(const GoldenOptions& options) {
       same = false;
     }
   }
-  if (!options.check) return 0;
+  if (!options.check) {
+    std::vector<reports::GoldenFile> files;
+    for (const std::string_view law : film_law_names) {
+      const std::string name = "journal-" + std::string(law) + ".csv";
+      files.push_back({name, reports::read_input((folder / name).string())});
+    }
+    reports::write_file(folder / reports::golden_manifest_name, reports::golden_manifest(files));
+    return 0;
+  }
+  for (const auto& difference : reports::manifest_differences(folder)) {
+    std::cout << difference.text() << '\n';
+    same = false;
+  }
   if (same) std::cout << folder.string() << ": every byte as regenerated\n";
   return same ? 0 : 1;
 }

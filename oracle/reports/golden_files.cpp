@@ -107,6 +107,7 @@ std::vector<GoldenDifference> manifest_differences(const std::filesystem::path& 
     if (std::ranges::find(listed, name) == listed.end()) differences.push_back({name, 0, "", "not in the manifest"});
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_directory() && std::filesystem::exists(entry.path() / manifest_name)) continue;  // has its own
     const std::string name = entry.path().filename().string();
     const bool known = name == manifest_name || std::ranges::find(listed, name) != listed.end();
     if (!known) differences.push_back({name, 0, "", "not in the manifest"});
