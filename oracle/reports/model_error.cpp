@@ -141,7 +141,9 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
                           bearing.radius(),
                           bearing.clearance(),
                           {std::nullopt, {0, 0}},
-                          {std::size_t{0}, {0, 0}}});
+                          {std::size_t{0}, {0, 0}},
+                          std::nullopt,
+                          std::nullopt});
   std::vector<LoadedState> states;
   for (const std::string_view law : film_law_names) {
     scene.joints.front().film = law;

@@ -4,19 +4,9 @@
 #include <vector>
 
 #include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/dynamics/multibody_results.hpp"
 
 namespace lubjoint {
-
-/// An entry or an exit of contact.
-struct ContactEvent {
-  double t;
-  std::size_t joint;
-  ContactPhase from;
-  ContactPhase to;
-  double normal_speed;  ///< v·r [m/s]
-  double force_before;  ///< |F| on the journal, of the piece that ends [N]
-  double force_jump;    ///< |ΔF| across the event [N]
-};
 
 namespace detail {
 

@@ -4,21 +4,10 @@
 #include <vector>
 
 #include "lubjoint/dynamics/exact_jacobian.hpp"
+#include "lubjoint/dynamics/multibody_results.hpp"
 #include "lubjoint/multibody/planar_system.hpp"
 
 namespace lubjoint {
-
-/// Terms of the energy ledger, integrated along: work since the start [J].
-enum class LedgerTerm {
-  loads,       ///< of constant forces other than weight
-  drivers,     ///< of the drivers' moments
-  film,        ///< of the films on their pairs: may be positive, whirl takes from a spin that pays no shear torque
-  contact,     ///< of dry contact and friction
-  constraints  ///< of the other constraints: zero but for their drift
-};
-inline constexpr std::size_t ledger_terms = 5;
-inline constexpr std::array<const char*, ledger_terms> ledger_names = {"loads", "drivers", "film", "contact",
-                                                                       "constraints"};
 
 /// Kinetic energy, and potential energy of the weights [J].
 template <class R>
@@ -60,8 +49,7 @@ class MultibodyOde {
     fill(t, y, dydt, real_);
   }
 
-  template <class Matrix>
-  void jacobian(const State& y, Matrix& j, const R& t) {
+  void jacobian(const State& y, Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>& j, const R& t) {
     exact_jacobian<jacobian_group>([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(),
                                    j);
   }
@@ -106,8 +94,9 @@ class MultibodyOde {
     for (std::size_t i = 0; i < ledger_terms; ++i) power[i] = T(0);
     const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
     for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      const Vector2<R>& load = system_.bodies()[b].load;
-      add(LedgerTerm::loads, T(load.x() * y[n + 3 * b] + load.y() * y[n + 3 * b + 1]));
+      const PlanarBody<R>& body = system_.bodies()[b];
+      const T* v = &y[n + 3 * b];
+      add(LedgerTerm::loads, T(body.load.x() * v[0] + body.load.y() * v[1] + body.moment * v[2]));
     }
     for (const JointForce<T>& joint : w.joints) {
       add(LedgerTerm::film, joint.film_power());

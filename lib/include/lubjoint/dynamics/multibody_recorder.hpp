@@ -8,48 +8,11 @@
 #include <optional>
 
 #include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/dynamics/multibody_results.hpp"
 #include "lubjoint/dynamics/outcome.hpp"
 #include "lubjoint/dynamics/step_interpolant.hpp"
 
 namespace lubjoint {
-
-/// A joint at an instant.
-struct JointSample {
-  Vector2<double> eccentricity;  ///< e [m]
-  Vector2<double> force;         ///< on the journal [N]
-  double eccentricity_ratio;     ///< ε = |e|/c
-  double film_thickness;         ///< c − |e|; negative in contact [m]
-};
-
-struct MultibodySample {
-  double t;
-  std::vector<double> state;            ///< q, q̇ of all bodies
-  std::vector<JointSample> joints;      ///< in the scene's order
-  std::vector<double> driving_moments;  ///< on each driver's second body [N m]
-  std::vector<double> ledger;           ///< kinetic, potential, then the work of each term; empty if not asked for
-};
-
-/// The largest value of a quantity along a run, from dense output and root finding.
-struct Peak {
-  double value;
-  double t;
-};
-
-struct JointExtremes {
-  Peak eccentricity{0, 0};  ///< |e| [m]
-  Peak force{0, 0};         ///< |F| [N]
-};
-
-struct DriverExtremes {
-  Peak max_moment{0, 0};
-  Peak min_moment{0, 0};
-};
-
-/// Largest violation of any constraint at the end of a step.
-struct ConstraintDrift {
-  double position = 0;  ///< |Φ| [m or rad]
-  double velocity = 0;  ///< |Φ̇| [m/s or rad/s]
-};
 
 namespace detail {
 

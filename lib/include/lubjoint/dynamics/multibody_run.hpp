@@ -156,6 +156,7 @@ class MultibodyRun {
   struct Crossing {
     std::size_t joint = 0;
     bool outwards = false;
+    R t_before{};  ///< not yet crossed
     R t_beyond{};
   };
 
@@ -181,6 +182,7 @@ class MultibodyRun {
   bool find_event(const Step& step) {
     const std::size_t pieces = 2 * Stepper::looks_inside;
     State y;
+    R t_before = step.t_old;
     for (std::size_t i = 1; i <= pieces; ++i) {
       const R t =
           i == pieces
@@ -196,12 +198,13 @@ class MultibodyRun {
         if (!ode_.system().joints()[j].has_contact()) continue;
         const detail::SeamMargins<R> m = margins(t, y, j);
         if (m.inner >= -slack && m.outer >= -slack) continue;
-        const Crossing crossing{j, m.outer < -slack, t};
+        const Crossing crossing{j, m.outer < -slack, t_before, t};
         // Of several joints in the same piece the one that crosses first, by its root on the interpolant.
         if (!found || root_inside(step, crossing) < root_inside(step, crossing_)) crossing_ = crossing;
         found = true;
       }
       if (found) return true;
+      t_before = t;
     }
     return false;
   }
@@ -235,13 +238,17 @@ class MultibodyRun {
       if (!state_at(t, y)) failed = true;
       return failed ? R(0) : margin(t, y, crossing_);
     };
+    // A phase that has just begun starts on its seam: if it never left it, the crossing is its start.
     R t_event = step.t_old;
-    if (value(step.t_old) > 0 && value(crossing_.t_beyond) < 0) {
-      std::uintmax_t iterations = 80;
-      const boost::math::tools::eps_tolerance<R> tolerance(std::numeric_limits<R>::digits - 2);
-      const auto bracket =
-          boost::math::tools::toms748_solve(value, step.t_old, crossing_.t_beyond, tolerance, iterations);
-      t_event = bracket.second;
+    if (value(crossing_.t_beyond) >= 0) {
+      t_event = crossing_.t_beyond;  // crossed on the interpolant, touched by the method: on the seam to rounding
+    } else {
+      const R low = value(crossing_.t_before) > 0 ? crossing_.t_before : step.t_old;
+      if (value(low) > 0) {
+        std::uintmax_t iterations = 80;
+        const boost::math::tools::eps_tolerance<R> tolerance(std::numeric_limits<R>::digits - 2);
+        t_event = boost::math::tools::toms748_solve(value, low, crossing_.t_beyond, tolerance, iterations).second;
+      }
     }
     if (failed || !state_at(t_event, y)) {
       stop("a contact of joint \"" + ode_.system().joints()[crossing_.joint].name + "\" can't be located");

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lubjoint/multibody/planar_system.hpp"
+#include "lubjoint/multibody/start_correction.hpp"
 
 namespace lubjoint {
 
@@ -14,15 +15,6 @@ namespace lubjoint {
 class ConstraintError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// What bringing the start onto the constraints has changed.
-template <class R>
-struct StartCorrection {
-  R position = R(0);  ///< largest displacement of a mass centre [m]
-  R angle = R(0);     ///< largest turn of a body [rad]
-  R velocity = R(0);  ///< largest change of a mass centre's velocity [m/s]
-  R spin = R(0);      ///< [rad/s]
 };
 
 namespace detail {

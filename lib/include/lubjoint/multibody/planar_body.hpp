@@ -21,10 +21,12 @@ struct PlanarBody {
   R mass;           ///< m [kg]
   R inertia;        ///< about the mass centre [kg m²]
   Vector2<R> load;  ///< constant force through the mass centre, without the weight [N]
+  R moment;         ///< constant moment [N m]
 
   /// @throws std::invalid_argument  mass or inertia not positive and finite
-  PlanarBody(const R& body_mass, const R& body_inertia, const Vector2<R>& constant_load)
-      : mass(body_mass), inertia(body_inertia), load(constant_load) {
+  PlanarBody(const R& body_mass, const R& body_inertia, const Vector2<R>& constant_load,
+             const R& constant_moment = R(0))
+      : mass(body_mass), inertia(body_inertia), load(constant_load), moment(constant_moment) {
     detail::require_positive("mass", mass, "kg");
     detail::require_positive("inertia", inertia, "kg m^2");
   }

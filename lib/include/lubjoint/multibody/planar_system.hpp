@@ -193,7 +193,7 @@ class PlanarSystem {
       const PlanarBody<R>& body = bodies_[b];
       w.accelerations[3 * b] = T(body.mass * gravity_.x() + body.load.x());
       w.accelerations[3 * b + 1] = T(body.mass * gravity_.y() + body.load.y());
-      w.accelerations[3 * b + 2] = T(0);
+      w.accelerations[3 * b + 2] = T(body.moment);
     }
     static const JointMemory<R> no_memory;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
