@@ -100,3 +100,24 @@ TEST_CASE("friction turns a spinning journal's rebound, and its work is in the l
   CHECK(last[5] < 300);
   CHECK(*run.energy_residual < 100 * 1e-10 * run.energy_scale);
 }
+
+TEST_CASE("slider-crank with 0.5 mm and a thin oil: with a transition it touches, and the force stays continuous") {
+  Scene scene = load_scene(scenes + "slider-crank-c0.5-mu0.04.toml");
+  scene.joints[0].transition = SceneTransition{2e-6, 4e-6};
+  scene.joints[0].contact = dry_joint({}, {0, {0, 0}}, 0.9).contact;
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  REQUIRE(run.events.size() >= 2);
+  CHECK(run.joints[0].eccentricity.value > scene.joints[0].clearance);
+  for (const ContactEvent& event : run.events) CHECK(event.force_jump < 1e-9 * run.joints[0].force.value);
+  CHECK(*run.energy_residual < 100 * scene.run.relative_tolerance * run.energy_scale);
+}
+
+TEST_CASE("a half film that slides on its jump between two bodies is stopped with a reason, not left to run") {
+  Scene scene = load_scene(scenes + "slider-crank.toml");
+  scene.joints[0].film = "long_half";
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  CHECK(run.outcome.status == RunStatus::stopped);
+  CHECK_THAT(run.outcome.message, Contains("a half film that slides on its jump"));
+  CHECK(run.outcome.steps + run.outcome.rejected_steps < 100000);
+}
