@@ -19,6 +19,9 @@ JournalScene journal_scene(const Scene& scene) {
     refuse("joints has " + std::to_string(scene.joints.size()) + " entries; allowed is one, the journal's bearing",
            scene.joints.empty() ? 1 : scene.joints.back().line);
   }
+  if (!scene.constraints.empty()) {
+    refuse("constraints has " + std::to_string(scene.constraints.size()) + " entries; a free journal has none");
+  }
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
   if (joint.bearing.body) {
@@ -26,6 +29,10 @@ JournalScene journal_scene(const Scene& scene) {
   }
   if (!is_zero(joint.journal.point)) {
     refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body", joint.line);
+  }
+  if (joint.contact) refuse("joints[0] has contact; allowed here is a film alone");
+  for (const SceneLoad& each : scene.loads) {
+    if (each.moment != 0) refuse("loads has a moment; allowed here are forces: the journal's spin is constant");
   }
   Vector2<double> load = body.mass * scene.gravity;
   for (const SceneLoad& each : scene.loads) load += each.force;

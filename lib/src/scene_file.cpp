@@ -9,18 +9,11 @@
 #include "lubjoint/dynamics/steppers.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/nearest_name.hpp"
-#include "table_reader.hpp"
+#include "scene_parts.hpp"
 
 namespace lubjoint {
 
 namespace {
-
-std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
-
-template <class Items>
-bool is_taken(const Items& items, const std::string& name) {
-  return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-}
 
 SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   SceneBody body;
@@ -39,32 +32,11 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   return body;
 }
 
-std::optional<std::size_t> read_body_name(TableReader& table, const Scene& scene, bool ground_is_allowed) {
-  const std::string name = table.text("body");
-  if (ground_is_allowed && name == "ground") return std::nullopt;
-  const auto body =
-      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto& b) { return b.name == name; });
-  if (body == scene.bodies.end()) {
-    std::string allowed = "the name of a body:";
-    for (const SceneBody& known : scene.bodies) allowed += " " + in_quotes(known.name);
-    if (ground_is_allowed) allowed += " or \"ground\"";
-    table.refuse("body", in_quotes(name), allowed);
-  }
-  return static_cast<std::size_t>(body - scene.bodies.begin());
-}
-
-SceneAnchor read_anchor(TableReader table, const Scene& scene) {
-  SceneAnchor anchor;
-  anchor.body = read_body_name(table, scene, true);
-  anchor.point = table.vector_or("point", anchor.point, "m");
-  table.finish();
-  return anchor;
-}
-
 SceneLoad read_load(TableReader table, const Scene& scene) {
   SceneLoad load;
-  load.body = *read_body_name(table, scene, false);
-  load.force = table.vector("force", "N");
+  load.body = *read_body_name(table, "body", scene, false);
+  if (!table.has("moment") || table.has("force")) load.force = table.vector("force", "N");
+  load.moment = table.number_or("moment", 0, Allowed::any, "N m");
   table.finish();
   return load;
 }
@@ -87,11 +59,15 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
   }
   joint.film = table.text("film");
-  if (std::find(film_law_names.begin(), film_law_names.end(), joint.film) == film_law_names.end()) {
-    table.refuse("film", in_quotes(joint.film), one_of(film_law_names, joint.film));
+  const bool dry = joint.film == no_film;
+  if (!dry && std::find(film_law_names.begin(), film_law_names.end(), joint.film) == film_law_names.end()) {
+    table.refuse("film", in_quotes(joint.film), one_of(film_law_names, joint.film) + ", or " + no_film);
   }
-  joint.viscosity = table.number("viscosity", Allowed::positive, "Pa s");
-  joint.length = table.number("length", Allowed::positive, "m");
+  // A dry joint may keep its oil and length: one word then changes it.
+  joint.viscosity = dry ? table.number_or("viscosity", 0, Allowed::positive, "Pa s")
+                        : table.number("viscosity", Allowed::positive, "Pa s");
+  joint.length =
+      dry ? table.number_or("length", 0, Allowed::positive, "m") : table.number("length", Allowed::positive, "m");
   joint.journal_radius = table.number("journal_radius", Allowed::positive, "m");
   joint.clearance = table.number("clearance", Allowed::positive, "m");
   if (joint.clearance >= joint.journal_radius) {
@@ -101,6 +77,7 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     allowed << "less than journal_radius, " << joint.journal_radius << " m";
     table.refuse("clearance", given.str(), allowed.str());
   }
+  read_contact(table, joint);
   joint.bearing = read_anchor(table.table("bearing"), scene);
   joint.journal = read_anchor(table.table("journal"), scene);
   if (joint.bearing.body == joint.journal.body) {
@@ -141,7 +118,8 @@ void read_integrator(TableReader table, Scene& scene) {
 }
 
 void read_output(TableReader table, Scene& scene) {
-  scene.run.output_interval = table.number("interval", Allowed::positive, "s");
+  scene.run.output_interval = table.number_or("interval", scene.run.output_interval, Allowed::positive, "s");
+  scene.energy_ledger = table.flag_or("energy_ledger", false);
   // A file of more rows than this is a slip of the pen, not a request.
   if (scene.run.duration / scene.run.output_interval > 1e7) {
     std::ostringstream given;
@@ -161,6 +139,10 @@ Scene read_scene(TableReader root, const std::string& file) {
   if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
   for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_load(table, scene));
   for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_joint(table, scene));
+  for (const TableReader& table : root.tables("constraints")) {
+    scene.constraints.push_back(read_constraint(table, scene));
+  }
+  if (root.has("stabilisation")) scene.stabilisation = read_stabilisation(root.table("stabilisation"));
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene);
   if (root.has("output")) read_output(root.table("output"), scene);

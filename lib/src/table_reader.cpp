@@ -140,6 +140,13 @@ std::string TableReader::text_or(std::string_view key, std::string otherwise) {
   return find(key) ? text(key) : std::move(otherwise);
 }
 
+bool TableReader::flag_or(std::string_view key, bool otherwise) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  if (!node->is_boolean()) fail(node->source(), key_path(key) + " is " + shown(*node) + "; allowed is true or false");
+  return *node->value<bool>();
+}
+
 Vector2<double> TableReader::vector(std::string_view key, std::string_view unit) {
   const std::string allowed = "an array of two finite numbers [" + std::string(unit) + "]";
   const toml::node& node = require(key, allowed);

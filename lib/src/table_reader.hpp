@@ -29,6 +29,7 @@ class TableReader {
   std::string text_or(std::string_view key, std::string otherwise);
   Vector2<double> vector(std::string_view key, std::string_view unit);
   Vector2<double> vector_or(std::string_view key, const Vector2<double>& otherwise, std::string_view unit);
+  bool flag_or(std::string_view key, bool otherwise);
   TableReader table(std::string_view key);
   bool has(std::string_view key) const { return table_.contains(key); }
   /// Every table of an array of tables; none if the key is missing.

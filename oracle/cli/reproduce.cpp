@@ -4,6 +4,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/example_1.hpp"
+#include "oracle/reports/example_2.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/model_error.hpp"
 
@@ -31,11 +32,14 @@ void add_reproduce(CLI::App& app, Action& action) {
             reports::model_warning(item.scene, reports::visited_model_error(item.scene, item.run));
         if (!warning.empty()) std::cout << warning << '\n';
       }
-      const auto files = reports::write_example_1(example, options->out);
+      const reports::Example2 second = reports::run_example_2(options->scenes);
+      std::cout << '\n' << reports::example_2_table(second);
+      auto files = reports::write_example_1(example, options->out);
+      for (const std::string& file : reports::write_example_2(second, options->out)) files.push_back(file);
       std::cerr << files.size() << " files written to " << options->out << ":";
       for (const std::string& file : files) std::cerr << ' ' << file;
       std::cerr << '\n';
-      return example.passed() ? 0 : 1;
+      return example.passed() && second.passed() ? 0 : 1;
     };
   });
 }

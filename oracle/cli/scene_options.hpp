@@ -34,7 +34,9 @@ struct SceneOptions {
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
     Scene scene = load_scene(file);
     if (law) {
-      for (SceneJoint& joint : scene.joints) joint.film = *law;
+      for (SceneJoint& joint : scene.joints) {
+        if (joint.film != no_film) joint.film = *law;
+      }
     }
     if (integrator) scene.integrator = *integrator;
     if (rtol) scene.run.relative_tolerance = scene.run.absolute_tolerance = *rtol;

@@ -6,8 +6,28 @@
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/journal_report.hpp"
 #include "oracle/reports/model_error.hpp"
+#include "oracle/reports/multibody_report.hpp"
 
 namespace lubjoint::cli {
+
+namespace {
+
+/// Trajectory to a file if asked for, summary to standard output.
+template <class Trajectory>
+void report(const Scene& scene, const Trajectory& run, const std::optional<std::string>& out, bool json) {
+  if (out) {
+    const auto file = std::filesystem::path(*out) / (scene.name + ".csv");
+    reports::write_file(file, reports::trajectory_csv(scene, run));
+    std::cerr << "trajectory written to " << file.string() << '\n';
+  }
+  if (json) {
+    std::cout << reports::summary_json(scene, run).dump(2) << '\n';
+  } else {
+    std::cout << reports::summary_text(scene, run);
+  }
+}
+
+}  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
   struct Options : SceneOptions {
@@ -26,19 +46,15 @@ void add_simulate(CLI::App& app, Action& action) {
       const Scene scene = options->load();
       journal_scene(scene);  // refuses what is no journal before a folder is made
       if (options->out) reports::prepare_folder(*options->out);
-      const JournalTrajectory run = simulate_journal(scene);
-      if (options->out) {
-        const auto file = std::filesystem::path(*options->out) / (scene.name + ".csv");
-        reports::write_file(file, reports::trajectory_csv(scene, run));
-        std::cerr << "trajectory written to " << file.string() << '\n';
+      if (is_free_journal(scene)) {
+        const JournalTrajectory run = simulate_journal(scene);
+        report(scene, run, options->out, options->json);
+        const std::string warning = reports::model_warning(scene, reports::visited_model_error(scene, run));
+        if (!warning.empty()) std::cerr << warning << '\n';
+        return run.outcome.status == RunStatus::finished ? 0 : 1;
       }
-      if (options->json) {
-        std::cout << reports::summary_json(scene, run).dump(2) << '\n';
-      } else {
-        std::cout << reports::summary_text(scene, run);
-      }
-      const std::string warning = reports::model_warning(scene, reports::visited_model_error(scene, run));
-      if (!warning.empty()) std::cerr << warning << '\n';
+      const MultibodyTrajectory run = simulate_multibody(scene);
+      report(scene, run, options->out, options->json);
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };
   });

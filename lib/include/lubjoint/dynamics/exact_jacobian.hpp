@@ -1,8 +1,10 @@
 /// Jacobians by forward automatic differentiation of the equations of motion themselves.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "lubjoint/film/scalar.hpp"
 
@@ -19,6 +21,29 @@ void exact_jacobian(const F& f, const std::array<R, N>& x,
   std::array<Dual, N> rate;
   f(seeded, rate);
   for (std::size_t i = 0; i < N; ++i) jacobian.row(static_cast<Eigen::Index>(i)) = rate[i].derivatives().transpose();
+}
+
+/// The same for a number of states that is known when the program runs: columns in groups of Group, so that no
+/// derivative needs memory of its own. Columns from `columns` on are zero.
+template <int Group, class R, class F>
+void exact_jacobian(const F& f, const std::vector<R>& x, std::size_t columns,
+                    Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>& jacobian) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, Group, 1>>;
+  const auto n = static_cast<Eigen::Index>(x.size());
+  jacobian.setZero(n, n);
+  std::vector<Dual> seeded(x.begin(), x.end());
+  std::vector<Dual> rate(x.size());
+  for (std::size_t start = 0; start < columns; start += Group) {
+    const std::size_t end = std::min(columns, start + Group);
+    for (std::size_t j = start; j < end; ++j) seeded[j] = Dual(x[j], Group, static_cast<int>(j - start));
+    f(seeded, rate);
+    const auto first = static_cast<Eigen::Index>(start);
+    const auto count = static_cast<Eigen::Index>(end - start);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      jacobian.block(static_cast<Eigen::Index>(i), first, 1, count) = rate[i].derivatives().head(count).transpose();
+    }
+    for (std::size_t j = start; j < end; ++j) seeded[j] = Dual(x[j]);
+  }
 }
 
 }  // namespace lubjoint

@@ -10,12 +10,17 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "lubjoint/dynamics/complex_shift_solver.hpp"
 #include "lubjoint/dynamics/radau_tableau.hpp"
 
 namespace lubjoint {
+
+/// In place of a number of states: it is known when the program runs.
+inline constexpr std::size_t run_time_size = 0;
 
 /// What a run of a stepper has cost.
 struct StepperCounts {
@@ -34,30 +39,32 @@ struct StepperCounts {
 /// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
 ///
 /// A trial state at which f throws std::domain_error, or that is not finite, is a failed step: it is halved.
-/// @tparam R  double, long double, or a Boost.Multiprecision number;  @tparam N  number of states
+/// @tparam R  double, long double, or a Boost.Multiprecision number
+/// @tparam N  number of states; run_time_size: as many as the tolerances that it is made with, in std::vector
 template <class R, std::size_t N>
 class RadauIIA5 {
  public:
-  static_assert(N > 0);
   using value_type = R;
-  using state_type = std::array<R, N>;
+  using state_type = std::conditional_t<N == run_time_size, std::vector<R>, std::array<R, N>>;
   using deriv_type = state_type;
   using time_type = R;
   using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
   using order_type = unsigned short;
-  using Vector = Eigen::Matrix<R, static_cast<int>(N), 1>;
-  using Matrix = Eigen::Matrix<R, static_cast<int>(N), static_cast<int>(N)>;
+  static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);
+  using Vector = Eigen::Matrix<R, dimension, 1>;
+  using Matrix = Eigen::Matrix<R, dimension, dimension>;
 
   static constexpr order_type order() { return 5; }
 
   /// @param absolute_tolerance  one for each state, in the state's own unit
-  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance) {
+  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance) : absolute_(absolute_tolerance) {
     using std::pow;
     if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
       throw std::invalid_argument("relative tolerance of radau_iia5: allowed is a number in (0, 1)");
     }
     relative_ = R(0.1) * pow(relative_tolerance, R(2) / 3);
-    for (std::size_t i = 0; i < N; ++i) {
+    relative_part_ = relative_;
+    for (std::size_t i = 0; i < absolute_.size(); ++i) {
       if (!(absolute_tolerance[i] > 0)) {
         throw std::invalid_argument("absolute tolerance of radau_iia5: allowed is a number above 0");
       }
@@ -66,6 +73,16 @@ class RadauIIA5 {
     using std::sqrt;
     newton_tolerance_ =
         std::max<R>(10 * std::numeric_limits<R>::epsilon() / relative_, std::min<R>(R(0.03), sqrt(relative_)));
+  }
+
+  /// Leaves the relative tolerance out of the test of a step: for states whose size says nothing of the digits that
+  /// matter, such as a coordinate of 0.1 m in which a clearance of 0.1 mm is at stake.
+  void use_absolute_tolerance_only() { relative_part_ = R(0); }
+
+  /// Replaces the state after a step by one close to it, and keeps step length and history.
+  void replace_state(const state_type& x) {
+    x_ = x;
+    jacobian_is_current_ = false;
   }
 
   /// One trial step. On success x, t are advanced and dt is the next step's length; on failure dt is reduced.
@@ -107,7 +124,8 @@ class RadauIIA5 {
     const R l1 = s * (s - c(1)) * (s - 1) / (c(0) * (c(0) - c(1)) * (c(0) - 1));
     const R l2 = s * (s - c(0)) * (s - 1) / (c(1) * (c(1) - c(0)) * (c(1) - 1));
     const R l3 = s * (s - c(0)) * (s - c(1)) / ((1 - c(0)) * (1 - c(1)));
-    for (std::size_t i = 0; i < N; ++i) {
+    x = x_old_;
+    for (std::size_t i = 0; i < x.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       x[i] = x_old_[i] + l1 * z_old_[0](k) + l2 * z_old_[1](k) + l3 * z_old_[2](k);
     }
@@ -124,21 +142,26 @@ class RadauIIA5 {
   static constexpr int max_newton_iterations = 7;
 
   template <class F>
-  static void evaluate(F& f, const state_type& x, const R& t, Vector& out) {
-    state_type dxdt;
-    f(x, dxdt, t);
-    for (std::size_t i = 0; i < N; ++i) out(static_cast<Eigen::Index>(i)) = dxdt[i];
+  void evaluate(F& f, const state_type& x, const R& t, Vector& out) {
+    f(x, rate_, t);
+    out.resize(size());
+    for (std::size_t i = 0; i < x.size(); ++i) out(static_cast<Eigen::Index>(i)) = rate_[i];
   }
 
+  Eigen::Index size() const { return static_cast<Eigen::Index>(absolute_.size()); }
+
   state_type displaced(const Vector& z) const {
-    state_type x;
-    for (std::size_t i = 0; i < N; ++i) x[i] = x_[i] + z(static_cast<Eigen::Index>(i));
+    state_type x = x_;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += z(static_cast<Eigen::Index>(i));
     return x;
   }
 
   void begin_at(const state_type& x, const R& t) {
     x_ = x;
     t_ = t;
+    rate_ = x;
+    scale_.resize(size());
+    jacobian_.resize(size(), size());
     started_ = true;
     rate_is_current_ = false;
     jacobian_is_current_ = false;
@@ -150,12 +173,14 @@ class RadauIIA5 {
 
   void set_scale() {
     using std::abs;
-    for (std::size_t i = 0; i < N; ++i) scale_(static_cast<Eigen::Index>(i)) = absolute_[i] + relative_ * abs(x_[i]);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      scale_(static_cast<Eigen::Index>(i)) = absolute_[i] + relative_part_ * abs(x_[i]);
+    }
   }
 
   R scaled_norm(const Vector& v) const {
     using std::sqrt;
-    return sqrt(v.cwiseQuotient(scale_).squaredNorm() / static_cast<R>(N));
+    return sqrt(v.cwiseQuotient(scale_).squaredNorm() / static_cast<R>(size()));
   }
 
   boost::numeric::odeint::controlled_step_result fail(R& dt, const R& factor) {
@@ -166,7 +191,7 @@ class RadauIIA5 {
   }
 
   void factorise(const R& dt) {
-    real_.compute(Matrix::Identity() * (tableau_.gamma / dt) - jacobian_);
+    real_.compute(Matrix::Identity(size(), size()) * (tableau_.gamma / dt) - jacobian_);
     complex_.factorise(jacobian_, tableau_.alpha / dt, tableau_.beta / dt);
     factorised_for_ = dt;
     ++counts_.factorisations;
@@ -204,23 +229,23 @@ class RadauIIA5 {
       w[0] += d0;
       w[1] += right_2;
       w[2] += right_3;
-      const R size =
-          sqrt((square_scaled(d0) + square_scaled(right_2) + square_scaled(right_3)) / static_cast<R>(3 * N));
-      if (!std::isfinite(static_cast<double>(size))) return false;
+      const R change =
+          sqrt((square_scaled(d0) + square_scaled(right_2) + square_scaled(right_3)) / static_cast<R>(3 * size()));
+      if (!std::isfinite(static_cast<double>(change))) return false;
       for (int i = 0; i < 3; ++i) z_[i] = tab.t(i, 0) * w[0] + tab.t(i, 1) * w[1] + tab.t(i, 2) * w[2];
       if (iterations_ > 1) {
-        const R theta = size / old_size;
+        const R theta = change / old_size;
         rate = iterations_ == 2 ? theta : sqrt(theta * rate);
         if (rate >= R(0.99)) return false;
         convergence = rate / (1 - rate);
-        const R remaining =
-            convergence * size * pow(rate, static_cast<R>(max_newton_iterations - 1 - iterations_)) / newton_tolerance_;
-        if (iterations_ < max_newton_iterations && remaining >= 1 && convergence * size > newton_tolerance_) {
+        const R remaining = convergence * change * pow(rate, static_cast<R>(max_newton_iterations - 1 - iterations_)) /
+                            newton_tolerance_;
+        if (iterations_ < max_newton_iterations && remaining >= 1 && convergence * change > newton_tolerance_) {
           return false;
         }
       }
-      if (convergence * size <= newton_tolerance_ || size == 0) return true;
-      old_size = std::max<R>(size, std::numeric_limits<R>::min());
+      if (convergence * change <= newton_tolerance_ || change == 0) return true;
+      old_size = std::max<R>(change, std::numeric_limits<R>::min());
     }
     return false;
   }
@@ -230,13 +255,14 @@ class RadauIIA5 {
   /// First guess of the stages: the last step's collocation polynomial, continued.
   void start_stages(const R& h) {
     if (!has_old_step_ || last_failed_) {
-      for (auto& z : z_) z.setZero();
+      for (auto& z : z_) z.setZero(size());
       return;
     }
     for (int i = 0; i < 3; ++i) {
       state_type x;
       state_at(t_ + tableau_.c(i) * h, x);
-      for (std::size_t k = 0; k < N; ++k) z_[i](static_cast<Eigen::Index>(k)) = x[k] - x_[k];
+      z_[i].resize(size());
+      for (std::size_t k = 0; k < x.size(); ++k) z_[i](static_cast<Eigen::Index>(k)) = x[k] - x_[k];
     }
   }
 
@@ -246,14 +272,14 @@ class RadauIIA5 {
     const auto& w = tableau_.error_weights;
     const Vector combination = (w(0) * z_[0] + w(1) * z_[1] + w(2) * z_[2]) / h;
     Vector error = real_.solve(f_ + combination);
-    R size = scaled_norm(error);
-    if (size >= 1 && (first_step_ || last_failed_)) {
+    R estimated = scaled_norm(error);
+    if (estimated >= 1 && (first_step_ || last_failed_)) {
       Vector f_displaced;
       evaluate(f, displaced(error), t_, f_displaced);
       error = real_.solve(f_displaced + combination);
-      size = scaled_norm(error);
+      estimated = scaled_norm(error);
     }
-    return size;
+    return estimated;
   }
 
   boost::numeric::odeint::controlled_step_result finish(state_type& x, R& t, R& dt, const R& error) {
@@ -296,6 +322,7 @@ class RadauIIA5 {
 
   const RadauTableau<R>& tableau_ = RadauTableau<R>::instance();
   R relative_ = 0;
+  R relative_part_ = 0;  ///< of it, what the size of a state adds to its tolerance
   state_type absolute_{};
   R newton_tolerance_ = 0;
 
@@ -306,6 +333,7 @@ class RadauIIA5 {
   bool rate_is_current_ = false;
   bool jacobian_is_current_ = false;
   state_type x_{};
+  state_type rate_{};
   R t_ = 0;
   Vector scale_;
   Vector f_;
@@ -313,7 +341,7 @@ class RadauIIA5 {
   Matrix jacobian_;
   R factorised_for_ = 0;
   Eigen::PartialPivLU<Matrix> real_;
-  ComplexShiftSolver<R, static_cast<int>(N)> complex_;
+  ComplexShiftSolver<R, dimension> complex_;
   Stages z_;
   int iterations_ = 0;
   R h_accepted_ = 0;

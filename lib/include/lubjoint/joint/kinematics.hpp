@@ -18,9 +18,10 @@ struct JointKinematics {
 ///   P_k = r_k + A_k s'_k,  e = P_j − P_i,  v = Ṗ_j − Ṗ_i   (bearing on body i, journal on body j)
 /// Source: Flores et al. (2009), eqs. 21 to 24. e may exceed the clearance.
 /// @param bearing_centre  s'_i, fixed to body i [m];  @param journal_centre  s'_j, fixed to body j [m]
-template <class T>
-JointKinematics<T> joint_kinematics(const PlanarMotion<T>& bearing_body, const Vector2<RealOf<T>>& bearing_centre,
-                                    const PlanarMotion<T>& journal_body, const Vector2<RealOf<T>>& journal_centre) {
+/// @tparam Body  PlanarMotion, or PlanarFrame where the same body has more points
+template <template <class> class Body, class T>
+JointKinematics<T> joint_kinematics(const Body<T>& bearing_body, const Vector2<RealOf<T>>& bearing_centre,
+                                    const Body<T>& journal_body, const Vector2<RealOf<T>>& journal_centre) {
   const Vector2<T> s_i = inertial_vector(bearing_body, bearing_centre);
   const Vector2<T> s_j = inertial_vector(journal_body, journal_centre);
   const Vector2<T> turn_i = perpendicular(s_i);

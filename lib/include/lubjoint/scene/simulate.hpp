@@ -2,10 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lubjoint/dynamics/journal_recorder.hpp"
+#include "lubjoint/dynamics/multibody_results.hpp"
 #include "lubjoint/dynamics/outcome.hpp"
+#include "lubjoint/multibody/start_correction.hpp"
 #include "lubjoint/scene/scene.hpp"
 
 namespace lubjoint {
@@ -20,6 +23,29 @@ struct JournalTrajectory {
   double min_film_thickness = 0;  ///< c(1 − ε) [m]
   double wall_seconds = 0;
 };
+
+/// Trajectory and extremes of a multibody scene.
+struct MultibodyTrajectory {
+  RunOutcome outcome;
+  StartCorrection<double> correction;    ///< what bringing the start onto the constraints has changed
+  std::vector<MultibodySample> samples;  ///< one each output interval, and the last state
+  std::vector<JointExtremes> joints;     ///< in the scene's order
+  std::vector<std::string> driver_names;
+  std::vector<DriverExtremes> drivers;
+  std::vector<ContactEvent> events;
+  ConstraintDrift drift;
+  std::optional<double> energy_residual;  ///< largest |E − E₀ − work| at the end of a step [J]
+  double energy_scale = 0;                ///< largest kinetic energy or work [J]
+  double wall_seconds = 0;
+};
+
+/// Does the scene hold just one journal in a bearing on the ground, without contact, constraint or ledger? It then runs
+/// by its own short path: four states, no constraints.
+bool is_free_journal(const Scene& scene);
+
+/// Integrates any scene by constrained equations of motion.
+/// @throws SceneError  constraints that repeat or contradict each other, a journal that starts outside its bearing
+MultibodyTrajectory simulate_multibody(const Scene& scene);
 
 /// Integrates a scene of one free journal.
 /// @throws SceneError if the scene is none; std::invalid_argument for an unknown law or integrator

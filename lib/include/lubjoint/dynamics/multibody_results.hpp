@@ -1,0 +1,74 @@
+/// What a run of a multibody system leaves behind.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "lubjoint/film/vector.hpp"
+#include "lubjoint/joint/transition.hpp"
+
+namespace lubjoint {
+
+/// Terms of the energy ledger, integrated along: work since the start [J].
+enum class LedgerTerm {
+  loads,       ///< of constant forces other than weight, and constant moments
+  drivers,     ///< of the drivers' moments
+  film,        ///< of the films on their pairs: may be positive, whirl takes from a spin that pays no shear torque
+  contact,     ///< of dry contact and friction
+  constraints  ///< of the other constraints: zero but for their drift
+};
+inline constexpr std::size_t ledger_terms = 5;
+inline constexpr std::array<const char*, ledger_terms> ledger_names = {"loads", "drivers", "film", "contact",
+                                                                       "constraints"};
+
+/// A joint at an instant.
+struct JointSample {
+  Vector2<double> eccentricity;  ///< e [m]
+  Vector2<double> force;         ///< on the journal [N]
+  double eccentricity_ratio;     ///< ε = |e|/c
+  double film_thickness;         ///< c − |e|; negative in contact [m]
+};
+
+struct MultibodySample {
+  double t;
+  std::vector<double> state;            ///< q, q̇ of all bodies
+  std::vector<JointSample> joints;      ///< in the scene's order
+  std::vector<double> driving_moments;  ///< on each driver's second body [N m]
+  std::vector<double> ledger;           ///< kinetic, potential, then the work of each term; empty if not asked for
+};
+
+/// The largest value of a quantity along a run, from dense output and root finding.
+struct Peak {
+  double value;
+  double t;
+};
+
+struct JointExtremes {
+  Peak eccentricity{0, 0};  ///< |e| [m]
+  Peak force{0, 0};         ///< |F| [N]
+};
+
+struct DriverExtremes {
+  Peak max_moment{0, 0};
+  Peak min_moment{0, 0};
+};
+
+/// Largest violation of any constraint at the end of a step.
+struct ConstraintDrift {
+  double position = 0;  ///< |Φ| [m or rad]
+  double velocity = 0;  ///< |Φ̇| [m/s or rad/s]
+};
+
+/// An entry or an exit of contact.
+struct ContactEvent {
+  double t;
+  std::size_t joint;
+  ContactPhase from;
+  ContactPhase to;
+  double normal_speed;  ///< v·r [m/s]
+  double force_before;  ///< |F| on the journal, of the piece that ends [N]
+  double force_jump;    ///< |ΔF| across the event [N]
+};
+
+}  // namespace lubjoint

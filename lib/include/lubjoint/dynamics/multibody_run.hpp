@@ -1,0 +1,374 @@
+/// A multibody system from its start to its end, through every contact.
+#pragma once
+
+#include <boost/math/tools/roots.hpp>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "lubjoint/dynamics/contact_events.hpp"
+#include "lubjoint/dynamics/multibody_recorder.hpp"
+#include "lubjoint/multibody/assembly.hpp"
+
+namespace lubjoint {
+
+/// How a run keeps its constraints: by the accelerations alone (Baumgarte's terms are part of the system), or by
+/// projection of every accepted step.
+enum class ConstraintUpkeep { by_accelerations, by_projection };
+
+/// Contact is followed event by event. The jump of a half film at a = 0 is not: a free journal's run has a mode for
+/// motion that slides on it, this run stops there with a message that says so.
+/// @tparam Stepper  RunTimeRadau<R>, RunTimeDopri5<R> or RunTimeFehlberg78<R>
+template <class R, class Stepper>
+class MultibodyRun {
+ public:
+  using State = std::vector<R>;
+
+  /// @param tolerances  of every state, in its own unit
+  MultibodyRun(MultibodyOde<R>& ode, const RunSettings& settings, const State& tolerances, ConstraintUpkeep upkeep)
+      : ode_(ode),
+        settings_(settings),
+        tolerances_(tolerances),
+        upkeep_(upkeep),
+        stepper_(R(settings.relative_tolerance), tolerances),
+        recorder_(ode, settings, Stepper::looks_inside) {}
+
+  /// @param start  (q, q̇), fulfils the constraints, and every film exists
+  RunOutcome run(const State& start) {
+    y_ = start;
+    y_.resize(ode_.dimension(), R(0));  // work: none yet
+    t_ = R(0);
+    dt_ = R(1e-6 * settings_.duration);
+    start_memory();
+    rate_ = y_;
+    ode_.rate(y_, rate_, t_);
+    recorder_.start(t_, y_);
+    integrate();
+    recorder_.finish(t_, y_);
+    outcome_.t_end = static_cast<double>(t_);
+    outcome_.rhs_evaluations = ode_.evaluations();
+    return outcome_;
+  }
+
+  const MultibodyRecorder<R>& recorder() const { return recorder_; }
+  const std::vector<ContactEvent>& events() const { return events_; }
+  const State& state() const { return y_; }
+  const State& tolerances() const { return tolerances_; }
+
+ private:
+  using Step = StepInterpolant<R>;
+
+  void start_memory() {
+    if (!ode_.has_contact()) return;
+    // The motion decides the phase; with no phase known yet the forces are not asked for.
+    SystemWorkspace<R>& w = ode_.workspace();
+    for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
+      const JointElement<R>& joint = ode_.system().joints()[j];
+      ode_.system().evaluate_kinematics(t_, y_.data(), w);
+      const auto frame = [&](std::size_t body) { return body == ground_body ? w.ground : w.frames[body]; };
+      const JointKinematics<R> kinematics = joint_kinematics(frame(joint.bearing_at.body), joint.bearing_at.point,
+                                                             frame(joint.journal_at.body), joint.journal_at.point);
+      ode_.memory()[j] = detail::starting_memory(joint, kinematics.motion);
+    }
+  }
+
+  void integrate() {
+    const R t_end(settings_.duration);
+    const R shortest = 8 * std::numeric_limits<R>::epsilon();
+    R stall_mark = t_;
+    std::size_t stall_steps = 0;
+    while (t_end - t_ > shortest * t_end) {
+      if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) {
+        return stop("the limit of " + std::to_string(settings_.max_steps) + " steps is reached");
+      }
+      if (++stall_steps >= stall_limit) {
+        if (t_ - stall_mark < R(stall_share) * t_end) {
+          return stop(std::to_string(stall_limit) + " trial steps have brought less than 2e-6 of the duration: " +
+                      (has_half_film() ? "a half film that slides on its jump needs a law without one"
+                                       : "use radau_iia5, or a looser tolerance"));
+        }
+        stall_mark = t_;
+        stall_steps = 0;
+      }
+      auto step = std::make_shared<Step>();
+      step->t_old = t_;
+      step->y_old = y_;
+      step->rate_old = rate_;
+      step->memory = ode_.memory();
+      const R wanted = dt_;
+      const bool last = dt_ >= t_end - t_;
+      if (last) dt_ = t_end - t_;
+      if (!stepper_.try_step(ode_, y_, t_, dt_) || !accept(last)) {
+        if (t_ > step->t_old) {
+          dt_ = (t_ - step->t_old) / 2;
+          stepper_.reset();
+        }
+        t_ = step->t_old;
+        y_ = step->y_old;
+        rate_ = step->rate_old;
+        ++outcome_.rejected_steps;
+        const R floor = shortest * std::max<R>(t_, R(1e-3) * t_end);
+        if (!(dt_ > floor)) return stop(no_step_reason());
+        continue;
+      }
+      ++outcome_.steps;
+      if (last) dt_ = std::max<R>(dt_, wanted);
+      close(*step);
+      if (ode_.has_contact() && find_event(*step)) {
+        if (!resolve_event(*step)) return;
+        close(*step);
+        if (step->t_new > step->t_old) recorder_.step(step);
+        change_phase();
+        continue;
+      }
+      if (upkeep_ == ConstraintUpkeep::by_projection) {
+        project_onto_constraints(ode_.system(), t_, y_, ode_.workspace());
+        stepper_.replace_state(y_);
+        ode_.rate(y_, rate_, t_);
+        close(*step);
+      }
+      recorder_.step(step);
+    }
+    t_ = t_end;
+  }
+
+  /// Every number is one and every film exists at the new state.
+  bool accept(bool last) {
+    for (const R& value : y_) {
+      if (!std::isfinite(static_cast<double>(value))) return false;
+    }
+    if (last) t_ = R(settings_.duration);
+    try {
+      ode_.rate(y_, rate_, t_);
+    } catch (const std::domain_error&) {
+      return false;
+    }
+    return true;
+  }
+
+  void close(Step& step) const {
+    step.t_new = t_;
+    step.y_new = y_;
+    step.rate_new = rate_;
+  }
+
+  // Contact.
+
+  struct Crossing {
+    std::size_t joint = 0;
+    bool outwards = false;
+    R t_before{};  ///< not yet crossed
+    R t_beyond{};
+  };
+
+  Vector2<R> eccentricity(const R& t, const State& y, std::size_t joint) {
+    ode_.system().evaluate_kinematics(t, y.data(), ode_.workspace());
+    return motion_of(joint).eccentricity;
+  }
+
+  /// From the frames of the workspace.
+  JournalMotion<R> motion_of(std::size_t j) {
+    const JointElement<R>& joint = ode_.system().joints()[j];
+    const SystemWorkspace<R>& w = ode_.workspace();
+    const auto& bearing = joint.bearing_at.body == ground_body ? w.ground : w.frames[joint.bearing_at.body];
+    const auto& journal = joint.journal_at.body == ground_body ? w.ground : w.frames[joint.journal_at.body];
+    return joint_kinematics(bearing, joint.bearing_at.point, journal, joint.journal_at.point).motion;
+  }
+
+  detail::SeamMargins<R> margins(const R& t, const State& y, std::size_t joint) {
+    return detail::seam_margins(ode_.system().joints()[joint], ode_.memory()[joint].phase, eccentricity(t, y, joint));
+  }
+
+  /// The first seam that a step crosses, looked for inside it as well: a journal may touch and leave within one.
+  bool find_event(const Step& step) {
+    const std::size_t pieces = 2 * Stepper::looks_inside;
+    State y;
+    R t_before = step.t_old;
+    for (std::size_t i = 1; i <= pieces; ++i) {
+      const R t =
+          i == pieces
+              ? step.t_new
+              : R(step.t_old + (step.t_new - step.t_old) * static_cast<double>(i) / static_cast<double>(pieces));
+      if (i == pieces) {
+        y = step.y_new;
+      } else {
+        step.state_at(t, ode_.system().coordinates(), y);
+      }
+      bool found = false;
+      for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
+        if (!ode_.system().joints()[j].has_contact()) continue;
+        const detail::SeamMargins<R> m = margins(t, y, j);
+        if (m.inner >= -slack && m.outer >= -slack) continue;
+        const Crossing crossing{j, m.outer < -slack, t_before, t};
+        // Of several joints in the same piece the one that crosses first, by its root on the interpolant.
+        if (!found || root_inside(step, crossing) < root_inside(step, crossing_)) crossing_ = crossing;
+        found = true;
+      }
+      if (found) return true;
+      t_before = t;
+    }
+    return false;
+  }
+
+  R margin(const R& t, const State& y, const Crossing& crossing) {
+    const detail::SeamMargins<R> m = margins(t, y, crossing.joint);
+    return crossing.outwards ? m.outer : m.inner;
+  }
+
+  R root_inside(const Step& step, const Crossing& crossing) {
+    State y;
+    R low = step.t_old;
+    R high = crossing.t_beyond;
+    for (int i = 0; i < 40; ++i) {
+      const R middle = (low + high) / 2;
+      step.state_at(middle, ode_.system().coordinates(), y);
+      (margin(middle, y, crossing) < -slack ? high : low) = middle;
+    }
+    return high;
+  }
+
+  /// Steps to the crossing itself with the method, not on an interpolant, and leaves the state just beyond it.
+  bool resolve_event(const Step& step) {
+    const auto state_at = [&](const R& t, State& y) {
+      y = step.y_old;
+      return t <= step.t_old || step_to(step.t_old, t, y);
+    };
+    State y;
+    bool failed = false;
+    const auto value = [&](const R& t) {
+      if (!state_at(t, y)) failed = true;
+      return failed ? R(0) : margin(t, y, crossing_);
+    };
+    // A phase that has just begun starts on its seam: if it never left it, the crossing is its start.
+    R t_event = step.t_old;
+    if (value(crossing_.t_beyond) >= 0) {
+      t_event = crossing_.t_beyond;  // crossed on the interpolant, touched by the method: on the seam to rounding
+    } else {
+      const R low = value(crossing_.t_before) > 0 ? crossing_.t_before : step.t_old;
+      if (value(low) > 0) {
+        std::uintmax_t iterations = 80;
+        const boost::math::tools::eps_tolerance<R> tolerance(std::numeric_limits<R>::digits - 2);
+        t_event = boost::math::tools::toms748_solve(value, low, crossing_.t_beyond, tolerance, iterations).second;
+      }
+    }
+    if (failed || !state_at(t_event, y)) {
+      stop("a contact of joint \"" + ode_.system().joints()[crossing_.joint].name + "\" can't be located");
+      return false;
+    }
+    y_ = y;
+    t_ = t_event;
+    if (t_ > step.t_old) {
+      if (upkeep_ == ConstraintUpkeep::by_projection) project_onto_constraints(ode_.system(), t_, y_, ode_.workspace());
+      events_without_progress_ = 0;
+    } else if (++events_without_progress_ > 20) {
+      stop("joint \"" + ode_.system().joints()[crossing_.joint].name + "\" can't leave a seam of its contact");
+      return false;
+    }
+    ode_.rate(y_, rate_, t_);
+    return true;
+  }
+
+  bool step_to(const R& t_start, const R& t_goal, State& y) {
+    Stepper stepper(R(settings_.relative_tolerance), tolerances_);
+    R t = t_start;
+    R dt = t_goal - t;
+    for (int trials = 0; t < t_goal; ++trials) {
+      if (trials > 400) return false;
+      if (t + dt >= t_goal - 4 * std::numeric_limits<R>::epsilon() * t_goal) dt = t_goal - t;
+      if (!stepper.try_step(ode_, y, t, dt)) continue;
+      if (t_goal - t <= std::numeric_limits<R>::epsilon() * t_goal) break;
+    }
+    return true;
+  }
+
+  void change_phase() {
+    const std::size_t j = crossing_.joint;
+    const JointElement<R>& joint = ode_.system().joints()[j];
+    JointMemory<R>& memory = ode_.memory()[j];
+    const Vector2<R> before = ode_.at(t_, y_).joints[j].total();
+    const R speed = detail::normal_speed(motion_of(j));
+    ContactEvent event{static_cast<double>(t_),
+                       j,
+                       memory.phase,
+                       detail::next_phase(joint, memory.phase, crossing_.outwards),
+                       static_cast<double>(speed),
+                       0,
+                       0};
+    if (memory.phase == ContactPhase::film) memory.impact_speed = std::max<R>(speed, joint.contact->min_impact_speed);
+    memory.phase = event.to;
+    ode_.rate(y_, rate_, t_);
+    const Vector2<R> after = ode_.at(t_, y_).joints[j].total();
+    event.force_before = static_cast<double>(before.norm());
+    event.force_jump = static_cast<double>((after - before).norm());
+    events_.push_back(event);
+    ++outcome_.mode_changes;
+    stepper_.reset();
+    dt_ = std::max<R>(dt_ / 1000, R(1e-9 * settings_.duration));
+  }
+
+  // Stops.
+
+  bool has_half_film() const {
+    for (const JointElement<R>& joint : ode_.system().joints()) {
+      if (joint.film &&
+          std::visit([]<class Law>(const LubricatedJoint<Law, R>&) { return PolarLaw<Law>; }, *joint.film))
+        return true;
+    }
+    return false;
+  }
+
+  /// The joint nearest to its wall, and what would help.
+  std::string no_step_reason() {
+    std::ostringstream text;
+    text.precision(10);
+    text << "no step, however short, gives a finite state";
+    const std::vector<JointElement<R>>& joints = ode_.system().joints();
+    double largest = -1;
+    std::size_t nearest = 0;
+    ode_.system().evaluate_kinematics(t_, y_.data(), ode_.workspace());
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const auto ratio = static_cast<double>(motion_of(j).eccentricity.norm() / joints[j].bearing.clearance());
+      if (ratio > largest) {
+        largest = ratio;
+        nearest = j;
+      }
+    }
+    if (largest >= 0) {
+      text << ": joint \"" << joints[nearest].name << "\" is at eccentricity ratio " << largest
+           << "; raise its viscosity, lower the load or the clearance, or give it a transition to contact";
+    }
+    return text.str();
+  }
+
+  void stop(const std::string& reason) {
+    std::ostringstream text;
+    text.precision(10);
+    text << "stopped at t = " << static_cast<double>(t_) << " s: " << reason;
+    outcome_.status = RunStatus::stopped;
+    outcome_.message = text.str();
+  }
+
+  /// So many trials for so small a share of the duration: a run that would never end. A contact takes some hundred.
+  static constexpr std::size_t stall_limit = 4000;
+  static constexpr double stall_share = 2e-6;
+  /// A margin that starts at zero may be negative by the rounding of coordinates a thousand clearances long.
+  static constexpr double slack = 1e-12;
+
+  MultibodyOde<R>& ode_;
+  RunSettings settings_;
+  State tolerances_;
+  ConstraintUpkeep upkeep_;
+  Stepper stepper_;
+  MultibodyRecorder<R> recorder_;
+  RunOutcome outcome_;
+  std::vector<ContactEvent> events_;
+  Crossing crossing_;
+  std::size_t events_without_progress_ = 0;
+  State y_;
+  State rate_;
+  R t_{};
+  R dt_{};
+};
+
+}  // namespace lubjoint

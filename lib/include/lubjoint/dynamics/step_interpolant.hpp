@@ -1,0 +1,48 @@
+/// The motion inside a step.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/multibody/joint_element.hpp"
+
+namespace lubjoint {
+
+/// State and rate at both ends of a step of y = (q, q̇, work): positions by the quintic that meets positions,
+/// velocities and accelerations at both ends (error of order 6 in the step), velocities by its derivative (order 5),
+/// work by the cubic (order 4). Any integrator's steps get the same interpolant.
+template <class R>
+struct StepInterpolant {
+  R t_old{};
+  R t_new{};
+  std::vector<R> y_old, y_new, rate_old, rate_new;
+  std::vector<JointMemory<R>> memory;  ///< of the joints during the step
+
+  /// @param n  number of coordinates
+  void state_at(const R& t, std::size_t n, std::vector<R>& y) const {
+    const R h = t_new - t_old;
+    const R s = (t - t_old) / h;
+    y = y_old;
+    for (std::size_t i = 0; i < n; ++i) {
+      // Increments over the constant-acceleration start; a cubic, quartic and quintic term close the end.
+      const R v0 = h * y_old[n + i];
+      const R a0 = h * h * rate_old[n + i];
+      const R dx = (y_new[i] - y_old[i]) - v0 - a0 / 2;
+      const R dv = h * y_new[n + i] - v0 - a0;
+      const R da = h * h * rate_new[n + i] - a0;
+      const R c3 = 10 * dx - 4 * dv + da / 2;
+      const R c4 = -15 * dx + 7 * dv - da;
+      const R c5 = 6 * dx - 3 * dv + da / 2;
+      y[i] += s * (v0 + s * (a0 / 2 + s * (c3 + s * (c4 + s * c5))));
+      y[n + i] += s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5))) / h;
+    }
+    for (std::size_t i = 2 * n; i < y.size(); ++i) {
+      const R v0 = h * rate_old[i];
+      const R dx = (y_new[i] - y_old[i]) - v0;
+      const R dv = h * rate_new[i] - v0;
+      y[i] += s * (v0 + s * ((3 * dx - dv) + s * (dv - 2 * dx)));
+    }
+  }
+};
+
+}  // namespace lubjoint

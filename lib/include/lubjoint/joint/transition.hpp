@@ -1,0 +1,54 @@
+/// From the film to the dry contact and back.
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+
+#include "lubjoint/film/vector.hpp"
+
+namespace lubjoint {
+
+/// Widths of the transition: it is over at |e| = c + e₀; inside F_film the film's clearance is c + e₁. 0 < e₀ < e₁ [m].
+template <class R>
+struct TransitionTolerances {
+  R e0;
+  R e1;
+
+  TransitionTolerances(const R& blend, const R& widening) : e0(blend), e1(widening) {
+    if (e0 > 0 && e1 > e0) return;
+    std::ostringstream message;
+    message.precision(17);
+    message << "transition e0 is " << e0 << " m and e1 is " << e1 << " m; allowed are 0 < e0 < e1";
+    throw std::invalid_argument(message.str());
+  }
+};
+
+/// Where a joint with a transition is.
+enum class ContactPhase {
+  film,   ///< |e| ≤ c
+  blend,  ///< c ≤ |e| ≤ c + e₀
+  dry     ///< |e| ≥ c + e₀
+};
+
+inline const char* contact_phase_name(ContactPhase phase) {
+  return phase == ContactPhase::film ? "film" : phase == ContactPhase::blend ? "blend" : "dry";
+}
+
+/// The phase of a distance |e|. On a seam, the inner one.
+template <class R>
+ContactPhase contact_phase(const R& distance, const R& clearance, const TransitionTolerances<R>& tolerances) {
+  if (!(distance > clearance)) return ContactPhase::film;
+  return distance > clearance + tolerances.e0 ? ContactPhase::dry : ContactPhase::blend;
+}
+
+/// Blend of two forces: ((c + e₀ − |e|) F_film + (|e| − c) F_dry)/e₀, where c ≤ |e| ≤ c + e₀.
+/// Source: Flores et al. (2009), eq. 20.
+template <class T>
+Vector2<T> transition_force(const T& distance, const RealOf<T>& clearance,
+                            const TransitionTolerances<RealOf<T>>& tolerances, const Vector2<T>& film,
+                            const Vector2<T>& dry) {
+  const T weight = (distance - clearance) / tolerances.e0;
+  return Vector2<T>(T((1 - weight) * film.x() + weight * dry.x()), T((1 - weight) * film.y() + weight * dry.y()));
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lubjoint/multibody/constraint_row.hpp"
+
+namespace lubjoint {
+
+/// A motor that turns body j against body i: Φ = φ_j − φ_i − f(t), f = φ₀ + ωt + ½αt² (rheonomic); γ = f̈.
+/// The driving moment on body j, counter-clockwise positive, is −λ.
+template <class R>
+struct Driver {
+  static constexpr std::size_t rows = 1;
+  std::size_t first;  ///< may be the ground
+  std::size_t second;
+  R angle;         ///< φ₀ [rad]
+  R speed;         ///< ω [rad/s]
+  R acceleration;  ///< α [rad/s²]
+
+  std::size_t first_body() const { return first; }
+  std::size_t second_body() const { return second; }
+
+  template <class T>
+  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const R& t, ConstraintRow<T>* row) const {
+    const R wanted = angle + t * (speed + t * acceleration / 2);
+    const T zero(0);
+    row[0] = {T((body_j.angle - body_i.angle) - wanted),
+              R(-(speed + t * acceleration)),
+              T(acceleration),
+              {zero, zero, T(-1)},
+              {zero, zero, T(1)}};
+  }
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lubjoint/multibody/constraint_row.hpp"
+
+namespace lubjoint {
+
+/// A body that is held where it is: Φ = (x − x₀, y − y₀, φ − φ₀), γ = 0.
+template <class R>
+struct GroundConstraint {
+  static constexpr std::size_t rows = 3;
+  std::size_t body;
+  Vector2<R> position;  ///< [m]
+  R angle;              ///< [rad]
+
+  std::size_t first_body() const { return ground_body; }
+  std::size_t second_body() const { return body; }
+
+  template <class T>
+  void evaluate(const PlanarFrame<T>&, const PlanarFrame<T>& held, const R&, ConstraintRow<T>* row) const {
+    const T zero(0);
+    const T one(1);
+    row[0] = {T(held.position.x() - position.x()), R(0), zero, {zero, zero, zero}, {one, zero, zero}};
+    row[1] = {T(held.position.y() - position.y()), R(0), zero, {zero, zero, zero}, {zero, one, zero}};
+    row[2] = {T(held.angle - angle), R(0), zero, {zero, zero, zero}, {zero, zero, one}};
+  }
+};
+
+}  // namespace lubjoint

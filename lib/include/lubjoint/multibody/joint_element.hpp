@@ -1,0 +1,123 @@
+/// A joint with clearance as a force element: film, dry contact, or one blended into the other.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <variant>
+
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/joint/dry_contact.hpp"
+#include "lubjoint/joint/lubricated_joint.hpp"
+#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/multibody/planar_body.hpp"
+
+namespace lubjoint {
+
+namespace detail {
+template <class R, class Laws>
+struct FilmVariant;
+template <class R, class... Law>
+struct FilmVariant<R, std::tuple<Law...>> {
+  using Type = std::variant<LubricatedJoint<Law, R>...>;
+};
+}  // namespace detail
+
+/// Any law's film: the law is chosen when the scene is made, and costs one jump a force.
+template <class R>
+using AnyFilm = typename detail::FilmVariant<R, FilmLaws>::Type;
+
+/// @throws std::invalid_argument that lists the laws there are
+template <class R>
+AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil) {
+  return with_film_law(law, [&]<class Law>() { return AnyFilm<R>(LubricatedJoint<Law, R>(bearing, oil)); });
+}
+
+/// Dry contact of a joint.
+template <class R>
+struct JointContact {
+  ContactSurface<R> surface;
+  std::optional<TransitionTolerances<R>> transition;  ///< none: a dry joint
+  R min_impact_speed;                                 ///< least δ̇₀ [m/s]
+};
+
+/// The memory of a joint with contact: which piece of its force holds, and δ̇₀.
+template <class R>
+struct JointMemory {
+  ContactPhase phase = ContactPhase::film;
+  R impact_speed = R(1);
+};
+
+/// What a joint does to its journal, film and contact apart.
+template <class T>
+struct JointForce {
+  JointKinematics<T> kinematics;
+  Vector2<T> film;
+  ContactForce<T> contact;
+
+  Vector2<T> total() const { return Vector2<T>(T(film.x() + contact.force.x()), T(film.y() + contact.force.y())); }
+
+  /// Power of a force F on the journal and −F at the same point of the bearing's body: F·v − ω_B (e × F) [W].
+  T power(const Vector2<T>& force) const {
+    const JournalMotion<T>& m = kinematics.motion;
+    return T(dot(force, m.velocity) - m.bearing_spin * cross(m.eccentricity, force));
+  }
+  T film_power() const { return power(film); }
+  T contact_power() const {
+    const JournalMotion<T>& m = kinematics.motion;
+    return T(power(contact.force) + contact.couple * (m.journal_spin - m.bearing_spin));
+  }
+};
+
+template <class R>
+struct JointElement {
+  std::string name;
+  BodyPoint<R> bearing_at;
+  BodyPoint<R> journal_at;
+  Bearing<R> bearing;              ///< its clearance is the one that is reported
+  std::optional<AnyFilm<R>> film;  ///< with a transition, of clearance c + e₁
+  std::optional<JointContact<R>> contact;
+
+  bool has_contact() const { return contact.has_value(); }
+
+  /// @throws FilmDomainError where there is no film, and the phase asks for one
+  template <class T>
+  JointForce<T> force(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body,
+                      const JointMemory<R>& memory) const {
+    JointForce<T> result{joint_kinematics(bearing_body, bearing_at.point, journal_body, journal_at.point),
+                         Vector2<T>(T(0), T(0)),
+                         {Vector2<T>(T(0), T(0)), T(0)}};
+    const JournalMotion<T>& motion = result.kinematics.motion;
+    if (!contact) {
+      result.film = film_force(motion);
+      return result;
+    }
+    if (memory.phase == ContactPhase::film) {
+      if (film) result.film = film_force(motion);
+      return result;
+    }
+    const ContactForce<T> dry = dry_contact_force(motion, bearing, contact->surface, memory.impact_speed);
+    if (memory.phase == ContactPhase::dry || !film) {
+      result.contact = dry;
+      return result;
+    }
+    // The two shares of eq. 20, kept apart: the ledger books them apart.
+    const Vector2<T> zero(T(0), T(0));
+    const T distance = norm(motion.eccentricity);
+    const auto share = [&](const Vector2<T>& a, const Vector2<T>& b) {
+      return transition_force(distance, bearing.clearance(), *contact->transition, a, b);
+    };
+    result.film = share(film_force(motion), zero);
+    result.contact.force = share(zero, dry.force);
+    result.contact.couple = (distance - bearing.clearance()) / contact->transition->e0 * dry.couple;
+    return result;
+  }
+
+ private:
+  template <class T>
+  Vector2<T> film_force(const JournalMotion<T>& motion) const {
+    return std::visit([&](const auto& law) { return law.force(film_state(motion, law.bearing().clearance())); }, *film);
+  }
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,347 @@
+/// Equations of motion of constrained planar bodies with lubricated joints.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/multibody/constraint.hpp"
+#include "lubjoint/multibody/envelope_cholesky.hpp"
+#include "lubjoint/multibody/joint_element.hpp"
+
+namespace lubjoint {
+
+/// Baumgarte's α and β [1/s]: a violation Φ obeys Φ̈ + 2αΦ̇ + β²Φ = 0. Both 0: none.
+template <class R>
+struct Baumgarte {
+  R alpha = R(0);
+  R beta = R(0);
+};
+
+/// What a run keeps of a system between evaluations, for one scalar T. Made by PlanarSystem::workspace.
+template <class T>
+struct SystemWorkspace {
+  using R = RealOf<T>;
+  std::vector<PlanarFrame<T>> frames;
+  PlanarFrame<T> ground{ground_motion<T>()};
+  std::vector<ConstraintRow<T>> rows;
+  std::vector<JointForce<T>> joints;
+  std::vector<T> accelerations;  ///< q̈, and before the solve g
+  std::vector<T> multipliers;    ///< λ
+  EnvelopeCholesky<R> schur;     ///< Φq M⁻¹ Φqᵀ
+};
+
+/// Bodies, constraints, joints. The state is y = (q, q̇), q = (x, y, φ) of every body in turn.
+///   M q̈ + Φqᵀ λ = g,  Φq q̈ = γ − 2αΦ̇ − β²Φ
+/// Source: Flores et al. (2009), eqs. 39 to 41. M is diagonal: λ comes from the Schur complement Φq M⁻¹ Φqᵀ, whose
+/// structure is found once. Without constraints there is no solve. On a scalar with derivatives the value is solved
+/// once, and the derivatives of q̈ and λ are right-hand sides of the same factors (implicit differentiation).
+template <class R>
+class PlanarSystem {
+ public:
+  PlanarSystem(std::vector<PlanarBody<R>> bodies, std::vector<NamedConstraint<R>> constraints,
+               std::vector<JointElement<R>> joints, const Vector2<R>& gravity, const Baumgarte<R>& stabilisation)
+      : bodies_(std::move(bodies)),
+        constraints_(std::move(constraints)),
+        joints_(std::move(joints)),
+        gravity_(gravity),
+        stabilisation_(stabilisation) {
+    for (const PlanarBody<R>& body : bodies_) inverse_mass_.push_back(body.inverse_mass());
+    find_structure();
+  }
+
+  const std::vector<PlanarBody<R>>& bodies() const { return bodies_; }
+  const std::vector<NamedConstraint<R>>& constraints() const { return constraints_; }
+  const std::vector<JointElement<R>>& joints() const { return joints_; }
+  const Vector2<R>& gravity() const { return gravity_; }
+  std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }
+  std::size_t constraint_rows() const { return first_row_.back(); }
+  std::size_t first_row(std::size_t constraint) const { return first_row_[constraint]; }
+  const std::array<R, 3>& inverse_mass(std::size_t body) const { return inverse_mass_[body]; }
+
+  template <class T>
+  SystemWorkspace<T> workspace() const {
+    SystemWorkspace<T> w;
+    w.frames.assign(bodies_.size(), PlanarFrame<T>(ground_motion<T>()));
+    w.rows.resize(constraint_rows());
+    w.joints.resize(joints_.size());
+    w.accelerations.resize(coordinates());
+    w.multipliers.resize(constraint_rows());
+    w.schur = EnvelopeCholesky<R>(envelope_);
+    return w;
+  }
+
+  /// Everything at (t, y): frames, joint forces, constraint rows, q̈ and λ, into the workspace.
+  /// @param y  2 × coordinates() numbers;  @param memory  of the joints, one each (unused without contact)
+  /// @throws FilmDomainError, SingularConstraints
+  template <class T>
+  void evaluate(const R& t, const T* y, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+    place(y, w);
+    apply_forces(memory, w);
+    if (constraint_rows() == 0) {
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        for (std::size_t k = 0; k < 3; ++k)
+          w.accelerations[3 * b + k] = inverse_mass_[b][k] * w.accelerations[3 * b + k];
+      }
+      return;
+    }
+    evaluate_constraints(t, w);
+    solve(w);
+  }
+
+  /// Frames and constraint rows alone.
+  template <class T>
+  void evaluate_kinematics(const R& t, const T* y, SystemWorkspace<T>& w) const {
+    place(y, w);
+    evaluate_constraints(t, w);
+  }
+
+  /// Factors of Φq M⁻¹ Φqᵀ of the workspace's rows. @throws SingularConstraints
+  void factorise(SystemWorkspace<R>& w) const {
+    assemble(w.rows, w.schur);
+    w.schur.factorise();
+  }
+
+  /// x −= M⁻¹ Φqᵀ μ, x in coordinates.
+  template <class V>
+  void subtract_constraint_forces(const std::vector<ConstraintRow<R>>& rows, const V* mu, V* x) const {
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 3>& columns = second ? rows[row].second : rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) x[3 * body + k] -= (inverse_mass_[body][k] * columns[k]) * mu[row];
+    });
+  }
+
+  /// Φ̇ = Φq q̇ + Φt of a row of an evaluated workspace.
+  template <class T>
+  T constraint_rate(std::size_t row, const SystemWorkspace<T>& w) const {
+    T rate(w.rows[row].time_rate);
+    const Sides& sides = sides_[row];
+    if (sides.first != ground_body) rate += along(w.rows[row].first, w.frames[sides.first]);
+    if (sides.second != ground_body) rate += along(w.rows[row].second, w.frames[sides.second]);
+    return rate;
+  }
+
+  std::size_t first_body_of_row(std::size_t row) const { return sides_[row].first; }
+  std::size_t second_body_of_row(std::size_t row) const { return sides_[row].second; }
+
+  /// −Φqᵀλ of one constraint on its second body: force [N] and moment about the mass centre [N m].
+  template <class T>
+  std::array<T, 3> reaction_on_second(std::size_t constraint, const SystemWorkspace<T>& w) const {
+    std::array<T, 3> sum{T(0), T(0), T(0)};
+    for (std::size_t row = first_row_[constraint]; row < first_row_[constraint + 1]; ++row) {
+      for (std::size_t k = 0; k < 3; ++k) sum[k] -= w.rows[row].second[k] * w.multipliers[row];
+    }
+    return sum;
+  }
+
+ private:
+  struct Sides {
+    std::size_t first;
+    std::size_t second;
+  };
+  /// Two constraints that hold the same body: a block of the Schur complement.
+  struct SchurBlock {
+    std::size_t row;
+    std::size_t rows;
+    bool row_second;
+    std::size_t column;
+    std::size_t columns;
+    bool column_second;
+    std::size_t body;
+  };
+
+  void find_structure() {
+    first_row_.push_back(0);
+    for (const NamedConstraint<R>& each : constraints_) {
+      for (std::size_t i = 0; i < each.rows(); ++i) sides_.push_back({each.first_body(), each.second_body()});
+      first_row_.push_back(first_row_.back() + each.rows());
+    }
+    envelope_.resize(constraint_rows());
+    std::vector<std::vector<std::size_t>> holding(bodies_.size());  // constraints of each body, in order
+    for (std::size_t a = 0; a < constraints_.size(); ++a) {
+      std::size_t lowest = first_row_[a];
+      for (const bool a_second : {false, true}) {
+        const std::size_t body = a_second ? constraints_[a].second_body() : constraints_[a].first_body();
+        if (body == ground_body) continue;
+        holding[body].push_back(a);
+        for (const std::size_t b : holding[body]) {
+          const bool b_second = constraints_[b].second_body() == body;
+          blocks_.push_back(
+              {first_row_[a], constraints_[a].rows(), a_second, first_row_[b], constraints_[b].rows(), b_second, body});
+          lowest = std::min(lowest, first_row_[b]);
+        }
+      }
+      for (std::size_t row = first_row_[a]; row < first_row_[a + 1]; ++row) envelope_[row] = lowest;
+    }
+  }
+
+  template <class T>
+  void place(const T* y, SystemWorkspace<T>& w) const {
+    const T* v = y + coordinates();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      w.frames[b] = PlanarFrame<T>(PlanarMotion<T>{Vector2<T>(y[3 * b], y[3 * b + 1]), y[3 * b + 2],
+                                                   Vector2<T>(v[3 * b], v[3 * b + 1]), v[3 * b + 2]});
+    }
+  }
+
+  template <class T>
+  const PlanarFrame<T>& frame(std::size_t body, const SystemWorkspace<T>& w) const {
+    return body == ground_body ? w.ground : w.frames[body];
+  }
+
+  template <class T>
+  void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const PlanarBody<R>& body = bodies_[b];
+      w.accelerations[3 * b] = T(body.mass * gravity_.x() + body.load.x());
+      w.accelerations[3 * b + 1] = T(body.mass * gravity_.y() + body.load.y());
+      w.accelerations[3 * b + 2] = T(body.moment);
+    }
+    static const JointMemory<R> no_memory;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const JointElement<R>& joint = joints_[j];
+      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
+                                memory.empty() ? no_memory : memory[j]);
+      const JointForce<T>& force = w.joints[j];
+      const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
+      add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);
+      add(joint.journal_at.body, wrenches.journal, force.contact.couple, w);
+    }
+  }
+
+  template <class T>
+  void add(std::size_t body, const Wrench<T>& wrench, const T& couple, SystemWorkspace<T>& w) const {
+    if (body == ground_body) return;
+    w.accelerations[3 * body] += wrench.force.x();
+    w.accelerations[3 * body + 1] += wrench.force.y();
+    w.accelerations[3 * body + 2] += wrench.moment + couple;
+  }
+
+  template <class T>
+  void evaluate_constraints(const R& t, SystemWorkspace<T>& w) const {
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      const Sides& sides = sides_[first_row_[c]];
+      std::visit(
+          [&](const auto& constraint) {
+            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
+          },
+          constraints_[c].constraint);
+    }
+  }
+
+  template <class T>
+  static T along(const std::array<T, 3>& columns, const PlanarFrame<T>& body) {
+    return T(columns[0] * body.velocity.x() + columns[1] * body.velocity.y() + columns[2] * body.spin);
+  }
+
+  /// γ − 2αΦ̇ − β²Φ
+  template <class T>
+  T wanted_acceleration(std::size_t row, const SystemWorkspace<T>& w) const {
+    const R& alpha = stabilisation_.alpha;
+    const R& beta = stabilisation_.beta;
+    if (alpha == 0 && beta == 0) return w.rows[row].gamma;
+    return T(w.rows[row].gamma - 2 * alpha * constraint_rate(row, w) - (beta * beta) * w.rows[row].value);
+  }
+
+  void assemble(const std::vector<ConstraintRow<R>>& rows, EnvelopeCholesky<R>& schur) const {
+    schur.set_zero();
+    for (const SchurBlock& block : blocks_) {
+      const std::array<R, 3>& inverse = inverse_mass_[block.body];
+      for (std::size_t i = 0; i < block.rows; ++i) {
+        const ConstraintRow<R>& a = rows[block.row + i];
+        const std::array<R, 3>& left = block.row_second ? a.second : a.first;
+        const std::array<R, 3> weighted{left[0] * inverse[0], left[1] * inverse[1], left[2] * inverse[2]};
+        const std::size_t last = block.row == block.column ? i + 1 : block.columns;
+        for (std::size_t j = 0; j < last; ++j) {
+          const ConstraintRow<R>& b = rows[block.column + j];
+          const std::array<R, 3>& right = block.column_second ? b.second : b.first;
+          schur(block.row + i, block.column + j) +=
+              weighted[0] * right[0] + weighted[1] * right[1] + weighted[2] * right[2];
+        }
+      }
+    }
+  }
+
+  /// Calls act(row, body, second) for both sides of every row that are bodies.
+  template <class Act>
+  void for_each_side(const Act& act) const {
+    for (std::size_t row = 0; row < sides_.size(); ++row) {
+      if (sides_[row].first != ground_body) act(row, sides_[row].first, false);
+      if (sides_[row].second != ground_body) act(row, sides_[row].second, true);
+    }
+  }
+
+  void solve(SystemWorkspace<R>& w) const {
+    assemble(w.rows, w.schur);
+    w.schur.factorise();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      for (std::size_t k = 0; k < 3; ++k) w.accelerations[3 * b + k] *= inverse_mass_[b][k];
+    }
+    for (std::size_t row = 0; row < w.rows.size(); ++row) w.multipliers[row] = -wanted_acceleration(row, w);
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 3>& columns = second ? w.rows[row].second : w.rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) w.multipliers[row] += columns[k] * w.accelerations[3 * body + k];
+    });
+    w.schur.solve(w.multipliers.data());
+    subtract_constraint_forces(w.rows, w.multipliers.data(), w.accelerations.data());
+  }
+
+  /// d(g − Φqᵀλ − M q̈) = 0 and d(Φq q̈ − wanted) = 0 with q̈ and λ held give the right-hand sides of dq̈ and dλ.
+  template <class T>
+  void solve(SystemWorkspace<T>& w) const {
+    using Derivatives = std::decay_t<decltype(w.accelerations[0].derivatives())>;
+    const std::size_t n = coordinates();
+    std::vector<ConstraintRow<R>> rows(w.rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].gamma = value_of(wanted_acceleration(i, w));
+      for (std::size_t k = 0; k < 3; ++k) {
+        rows[i].first[k] = value_of(w.rows[i].first[k]);
+        rows[i].second[k] = value_of(w.rows[i].second[k]);
+      }
+    }
+    assemble(rows, w.schur);
+    w.schur.factorise();
+    std::vector<R> a(n);
+    std::vector<R> lambda(rows.size());
+    for (std::size_t i = 0; i < n; ++i) a[i] = inverse_mass_[i / 3][i % 3] * value_of(w.accelerations[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) lambda[i] = -rows[i].gamma;
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 3>& columns = second ? rows[row].second : rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) lambda[row] += columns[k] * a[3 * body + k];
+    });
+    w.schur.solve(lambda.data());
+    subtract_constraint_forces(rows, lambda.data(), a.data());
+
+    std::vector<Derivatives> da(n);
+    std::vector<Derivatives> dlambda(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) dlambda[i] = -wanted_acceleration(i, w).derivatives();
+    for (std::size_t i = 0; i < n; ++i) da[i] = w.accelerations[i].derivatives();
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<T, 3>& columns = second ? w.rows[row].second : w.rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) {
+        da[3 * body + k] -= lambda[row] * columns[k].derivatives();
+        dlambda[row] += a[3 * body + k] * columns[k].derivatives();
+      }
+    });
+    for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3][i % 3];
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 3>& columns = second ? rows[row].second : rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) dlambda[row] += columns[k] * da[3 * body + k];
+    });
+    w.schur.solve(dlambda.data());
+    subtract_constraint_forces(rows, dlambda.data(), da.data());
+    for (std::size_t i = 0; i < n; ++i) w.accelerations[i] = T(a[i], da[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) w.multipliers[i] = T(lambda[i], dlambda[i]);
+  }
+
+  std::vector<PlanarBody<R>> bodies_;
+  std::vector<NamedConstraint<R>> constraints_;
+  std::vector<JointElement<R>> joints_;
+  Vector2<R> gravity_;
+  Baumgarte<R> stabilisation_;
+  std::vector<std::array<R, 3>> inverse_mass_;
+  std::vector<std::size_t> first_row_;
+  std::vector<Sides> sides_;
+  std::vector<SchurBlock> blocks_;
+  std::vector<std::size_t> envelope_;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,116 @@
+/// A scene as a multibody system.
+#pragma once
+
+#include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/scene/scene.hpp"
+
+namespace lubjoint {
+
+// Compiled once, in the scene library: the laws on numbers with and without derivatives.
+extern template class MultibodyOde<double>;
+
+/// Units in which a run's tolerances are counted.
+struct SceneUnits {
+  double mechanism;  ///< largest arm of a point of a constraint or joint [m]; 1 where there is none
+  double length;     ///< the smallest clearance; without joints, `mechanism` [m]
+  double angle;      ///< length over mechanism [rad]
+  double rate;       ///< fastest of what the scene names [1/s]
+  double energy;     ///< [J]
+};
+
+/// The scene's bodies, constraints and joints on any scalar.
+template <class R>
+PlanarSystem<R> planar_system(const Scene& scene) {
+  const auto point = [](const SceneAnchor& anchor) {
+    return BodyPoint<R>{anchor.body.value_or(ground_body), anchor.point.template cast<R>()};
+  };
+  std::vector<PlanarBody<R>> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Vector2<R> force(R(0), R(0));
+    R moment(0);
+    for (const SceneLoad& load : scene.loads) {
+      if (load.body != b) continue;
+      force += load.force.template cast<R>();
+      moment += R(load.moment);
+    }
+    bodies.emplace_back(R(scene.bodies[b].mass), R(scene.bodies[b].inertia), force, moment);
+  }
+  std::vector<NamedConstraint<R>> constraints;
+  for (const SceneConstraint& each : scene.constraints) {
+    AnyConstraint<R> made;
+    if (const auto* ground = std::get_if<SceneGround>(&each.kind)) {
+      made = GroundConstraint<R>{ground->body, ground->position.template cast<R>(), R(ground->angle)};
+    } else if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+      made = Revolute<R>{point(pin->first), point(pin->second)};
+    } else if (const auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
+      made =
+          Translational<R>{point(guide->first), guide->axis.template cast<R>(), point(guide->second), R(guide->angle)};
+    } else {
+      const auto& driver = std::get<SceneDriver>(each.kind);
+      made = Driver<R>{driver.against.value_or(ground_body), driver.body, R(driver.angle), R(driver.speed),
+                       R(driver.acceleration)};
+    }
+    constraints.push_back({each.name, made});
+  }
+  std::vector<JointElement<R>> joints;
+  for (const SceneJoint& each : scene.joints) {
+    // A dry joint's length enters nothing.
+    const R length = each.length > 0 ? R(each.length) : R(each.journal_radius);
+    const Bearing<R> bearing(length, R(each.journal_radius), R(each.clearance));
+    JointElement<R> joint{each.name, point(each.bearing), point(each.journal), bearing, std::nullopt, std::nullopt};
+    if (each.film != no_film) {
+      const R widening = each.transition ? R(each.transition->e1) : R(0);
+      joint.film = make_film<R>(each.film, Bearing<R>(length, bearing.radius(), R(bearing.clearance() + widening)),
+                                Lubricant<R>(R(each.viscosity)));
+    }
+    if (each.contact) {
+      const SceneContact& c = *each.contact;
+      const R stiffness =
+          contact_stiffness<R>(bearing.radius(), bearing.clearance(), {R(c.bearing_modulus), R(c.bearing_poisson)},
+                               {R(c.journal_modulus), R(c.journal_poisson)});
+      joint.contact = JointContact<R>{
+          {stiffness, R(c.restitution), R(c.friction), R(c.slow_sliding)}, std::nullopt, R(c.min_impact_speed)};
+      if (each.transition) {
+        joint.contact->transition = TransitionTolerances<R>(R(each.transition->e0), R(each.transition->e1));
+      }
+    }
+    joints.push_back(std::move(joint));
+  }
+  const SceneStabilisation& keep = scene.stabilisation;
+  return PlanarSystem<R>(std::move(bodies), std::move(constraints), std::move(joints), scene.gravity.template cast<R>(),
+                         {R(keep.alpha), R(keep.beta)});
+}
+
+/// (q, q̇) of the scene's start, as the file gives it.
+template <class R>
+std::vector<R> scene_start(const Scene& scene) {
+  std::vector<R> y;
+  for (const SceneBody& body : scene.bodies) {
+    y.insert(y.end(), {R(body.position.x()), R(body.position.y()), R(body.angle)});
+  }
+  for (const SceneBody& body : scene.bodies) {
+    y.insert(y.end(), {R(body.velocity.x()), R(body.velocity.y()), R(body.spin)});
+  }
+  return y;
+}
+
+SceneUnits scene_units(const Scene& scene);
+
+/// Tolerance of every state of a run: positions in units of length, angles so that the largest arm's end moves by as
+/// much, velocities by the rate, and the ledger's work in units of energy.
+template <class R>
+std::vector<R> scene_tolerances(const Scene& scene) {
+  const SceneUnits units = scene_units(scene);
+  const R tolerance(scene.run.absolute_tolerance);
+  std::vector<R> result;
+  for (const double rate : {1.0, units.rate}) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      const R length = tolerance * R(units.length) * R(rate);
+      result.insert(result.end(), {length, length, R(tolerance * R(units.angle) * R(rate))});
+    }
+  }
+  if (scene.energy_ledger) result.insert(result.end(), ledger_terms, R(tolerance * R(units.energy)));
+  return result;
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,121 @@
+#include "lubjoint/scene/multibody_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "lubjoint/scene/scene_file.hpp"
+#include "multibody_simulation.hpp"
+
+namespace lubjoint {
+
+template class MultibodyOde<double>;
+
+namespace {
+
+/// Every point that a constraint or a joint fixes to a body.
+template <class Visit>
+void for_each_anchor(const Scene& scene, const Visit& visit) {
+  for (const SceneConstraint& each : scene.constraints) {
+    if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+      visit(pin->first);
+      visit(pin->second);
+    } else if (const auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
+      visit(guide->first);
+      visit(guide->second);
+    }
+  }
+  for (const SceneJoint& joint : scene.joints) {
+    visit(joint.bearing);
+    visit(joint.journal);
+  }
+}
+
+PlanarFrame<double> frame_at(const std::vector<double>& y, std::size_t body) {
+  if (body == ground_body) return PlanarFrame<double>(ground_motion<double>());
+  const double* q = y.data() + 3 * body;
+  const double* v = q + y.size() / 2;
+  return PlanarFrame<double>(
+      PlanarMotion<double>{Vector2<double>(q[0], q[1]), q[2], Vector2<double>(v[0], v[1]), v[2]});
+}
+
+JournalMotion<double> motion_at(const std::vector<double>& y, const JointElement<double>& joint) {
+  return joint_kinematics(frame_at(y, joint.bearing_at.body), joint.bearing_at.point,
+                          frame_at(y, joint.journal_at.body), joint.journal_at.point)
+      .motion;
+}
+
+}  // namespace
+
+SceneUnits scene_units(const Scene& scene) {
+  SceneUnits units{0, 0, 0, 1 / scene.run.duration, 0};
+  for_each_anchor(scene, [&](const SceneAnchor& anchor) {
+    if (anchor.body) units.mechanism = std::max(units.mechanism, anchor.point.norm());
+  });
+  if (units.mechanism == 0) units.mechanism = scene.joints.empty() ? 1 : scene.joints.front().journal_radius;
+  units.length = units.mechanism;
+  for (const SceneJoint& joint : scene.joints) units.length = std::min(units.length, joint.clearance);
+  units.angle = units.length / units.mechanism;
+  const auto at_least = [&](double rate) { units.rate = std::max(units.rate, std::abs(rate)); };
+  at_least(std::sqrt(scene.gravity.norm() / units.mechanism));
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const SceneBody& body = scene.bodies[b];
+    at_least(body.spin);
+    at_least(body.velocity.norm() / units.mechanism);
+    units.energy += (body.mass * body.velocity.squaredNorm() + body.inertia * body.spin * body.spin) / 2 +
+                    body.mass * scene.gravity.norm() * units.mechanism;
+  }
+  for (const SceneLoad& load : scene.loads) {
+    at_least(std::sqrt(std::abs(load.moment) / scene.bodies[load.body].inertia));
+    units.energy += std::abs(load.moment) + load.force.norm() * units.mechanism;
+  }
+  for (const SceneConstraint& each : scene.constraints) {
+    if (const auto* driver = std::get_if<SceneDriver>(&each.kind)) at_least(driver->speed);
+  }
+  for (const SceneBody& body : scene.bodies) {
+    units.energy = std::max(units.energy, body.mass * std::pow(units.length * units.rate, 2));
+  }
+  return units;
+}
+
+bool is_free_journal(const Scene& scene) {
+  if (scene.bodies.size() != 1 || scene.joints.size() != 1 || !scene.constraints.empty() || scene.energy_ledger) {
+    return false;
+  }
+  const SceneJoint& joint = scene.joints.front();
+  const bool turned = std::any_of(scene.loads.begin(), scene.loads.end(), [](const auto& l) { return l.moment != 0; });
+  return !joint.contact && !turned && !joint.bearing.body && is_zero(joint.journal.point);
+}
+
+namespace detail {
+
+PreparedScene prepare(const Scene& scene) {
+  PreparedScene prepared{planar_system<double>(scene), scene_start<double>(scene), {}};
+  try {
+    prepared.correction = assemble_start(prepared.system, 0.0, scene_units(scene).mechanism, prepared.start);
+  } catch (const ConstraintError& error) {
+    throw SceneError(scene.file + ": constraints: " + error.what());
+  }
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const JointElement<double>& joint = prepared.system.joints()[j];
+    const SceneJoint& given = scene.joints[j];
+    const Vector2<double> e = motion_at(prepared.start, joint).eccentricity / given.clearance;
+    if (joint.contact || one_minus_squared_norm(e.x(), e.y()) > 0) continue;
+    std::ostringstream message;
+    message << scene.file << ": joints[" << j << "] \"" << given.name << "\": its journal starts at eccentricity ratio "
+            << e.norm() << "; allowed are eccentricity ratios in [0, 1), or a transition to contact";
+    throw SceneError(message.str());
+  }
+  return prepared;
+}
+
+}  // namespace detail
+
+MultibodyTrajectory simulate_multibody(const Scene& scene) {
+  if (scene.integrator == "radau_iia5") return detail::simulate_multibody_radau(scene);
+  if (scene.integrator == "dopri5") return detail::simulate_multibody_dopri5(scene);
+  if (scene.integrator == "fehlberg78") return detail::simulate_multibody_fehlberg78(scene);
+  throw std::invalid_argument("there is no integrator \"" + scene.integrator + "\"");
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,155 @@
+#include "scene_parts.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace lubjoint {
+
+namespace {
+
+std::string with_unit(double value, const char* unit) {
+  std::ostringstream text;
+  text << value;
+  if (*unit) text << ' ' << unit;
+  return text.str();
+}
+
+SceneContact read_contact_table(TableReader table) {
+  SceneContact contact;
+  contact.bearing_modulus = table.number("bearing_modulus", Allowed::positive, "Pa");
+  contact.journal_modulus = table.number("journal_modulus", Allowed::positive, "Pa");
+  const auto poisson = [&](const char* key) {
+    const double value = table.number(key, Allowed::any, "-");
+    if (!(value > -1 && value <= 0.5)) table.refuse(key, with_unit(value, ""), "a number above -1, at most 0.5");
+    return value;
+  };
+  contact.bearing_poisson = poisson("bearing_poisson");
+  contact.journal_poisson = poisson("journal_poisson");
+  contact.restitution = table.number("restitution", Allowed::not_negative, "-");
+  if (contact.restitution > 1) table.refuse("restitution", with_unit(contact.restitution, ""), "a number in [0, 1]");
+  contact.min_impact_speed = table.number("min_impact_speed", Allowed::positive, "m/s");
+  contact.friction = table.number_or("friction", 0, Allowed::not_negative, "-");
+  contact.slow_sliding = table.number_or("slow_sliding", contact.slow_sliding, Allowed::positive, "m/s");
+  table.finish();
+  return contact;
+}
+
+SceneDriver read_driver(TableReader& table, const Scene& scene) {
+  SceneDriver driver;
+  driver.body = *read_body_name(table, "body", scene, false);
+  if (table.has("against")) driver.against = read_body_name(table, "against", scene, true);
+  if (driver.against == driver.body) {
+    table.refuse("against", in_quotes(scene.bodies[driver.body].name), "another body, or \"ground\"");
+  }
+  const double start = scene.bodies[driver.body].angle - (driver.against ? scene.bodies[*driver.against].angle : 0.0);
+  driver.angle = table.number_or("angle", start, Allowed::any, "rad");
+  driver.speed = table.number("speed", Allowed::any, "rad/s");
+  driver.acceleration = table.number_or("acceleration", 0, Allowed::any, "rad/s^2");
+  return driver;
+}
+
+/// Both sides of a pin or a guide.
+std::pair<SceneAnchor, SceneAnchor> read_sides(TableReader& table, const Scene& scene) {
+  const SceneAnchor first = read_anchor(table.table("first"), scene);
+  const SceneAnchor second = read_anchor(table.table("second"), scene);
+  if (first.body == second.body) table.refuse("second", "on the same body as first", "another body");
+  return {first, second};
+}
+
+}  // namespace
+
+std::optional<std::size_t> read_body_name(TableReader& table, std::string_view key, const Scene& scene,
+                                          bool ground_is_allowed) {
+  const std::string name = table.text(key);
+  if (ground_is_allowed && name == "ground") return std::nullopt;
+  const auto body =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto& b) { return b.name == name; });
+  if (body == scene.bodies.end()) {
+    std::string allowed = "the name of a body:";
+    for (const SceneBody& known : scene.bodies) allowed += " " + in_quotes(known.name);
+    if (ground_is_allowed) allowed += " or \"ground\"";
+    table.refuse(key, in_quotes(name), allowed);
+  }
+  return static_cast<std::size_t>(body - scene.bodies.begin());
+}
+
+SceneAnchor read_anchor(TableReader table, const Scene& scene) {
+  SceneAnchor anchor;
+  anchor.body = read_body_name(table, "body", scene, true);
+  anchor.point = table.vector_or("point", anchor.point, "m");
+  table.finish();
+  return anchor;
+}
+
+void read_contact(TableReader& joint_table, SceneJoint& joint) {
+  const bool dry = joint.film == no_film;
+  if (joint_table.has("transition")) {
+    if (dry)
+      joint_table.refuse("transition", "given", "no transition where film is \"none\": contact starts at the wall");
+    TableReader table = joint_table.table("transition");
+    SceneTransition transition;
+    transition.e0 = table.number("e0", Allowed::positive, "m");
+    transition.e1 = table.number("e1", Allowed::positive, "m");
+    if (transition.e1 <= transition.e0) {
+      table.refuse("e1", with_unit(transition.e1, "m"), "more than e0, " + with_unit(transition.e0, "m"));
+    }
+    table.finish();
+    joint.transition = transition;
+  }
+  const bool needed = dry || joint.transition;
+  if (needed) {
+    joint.contact = read_contact_table(joint_table.table("contact"));
+  } else if (joint_table.has("contact")) {
+    joint_table.refuse("contact", "given without a transition",
+                       "transition = {e0, e1} beside it, or film = \"none\" for a dry joint");
+  }
+}
+
+SceneConstraint read_constraint(TableReader table, const Scene& scene) {
+  SceneConstraint constraint;
+  constraint.name = table.text("name");
+  if (is_taken(scene.constraints, constraint.name) || is_taken(scene.joints, constraint.name)) {
+    table.refuse("name", in_quotes(constraint.name), "a name that no other constraint or joint has");
+  }
+  const std::string type = table.text("type");
+  if (type == "ground") {
+    SceneGround ground;
+    ground.body = *read_body_name(table, "body", scene, false);
+    const SceneBody& body = scene.bodies[ground.body];
+    ground.position = table.vector_or("position", body.position, "m");
+    ground.angle = table.number_or("angle", body.angle, Allowed::any, "rad");
+    constraint.kind = ground;
+  } else if (type == "revolute") {
+    const auto [first, second] = read_sides(table, scene);
+    constraint.kind = SceneRevolute{first, second};
+  } else if (type == "translational") {
+    const auto [first, second] = read_sides(table, scene);
+    Vector2<double> axis = table.vector("axis", "-");
+    if (!(axis.norm() > 0)) table.refuse("axis", "[0, 0]", "a direction, fixed to the body of first");
+    axis /= axis.norm();
+    constraint.kind = SceneTranslational{first, axis, second, table.number_or("angle", 0, Allowed::any, "rad")};
+  } else if (type == "driver") {
+    constraint.kind = read_driver(table, scene);
+  } else {
+    table.refuse("type", in_quotes(type), "one of ground, revolute, translational, driver");
+  }
+  table.finish();
+  return constraint;
+}
+
+SceneStabilisation read_stabilisation(TableReader table) {
+  SceneStabilisation stabilisation;
+  const std::string method = table.text("method");
+  if (method == "baumgarte") {
+    stabilisation.alpha = table.number_or("alpha", stabilisation.alpha, Allowed::not_negative, "1/s");
+    stabilisation.beta = table.number_or("beta", stabilisation.beta, Allowed::not_negative, "1/s");
+  } else if (method == "projection") {
+    stabilisation = {true, 0, 0};
+  } else {
+    table.refuse("method", in_quotes(method), "\"baumgarte\" or \"projection\"");
+  }
+  table.finish();
+  return stabilisation;
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,35 @@
+/// The slider-crank scenes' answers by other means: closed form and minimal coordinates.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/scene/scene.hpp"
+#include "oracle/mechanisms/slider_crank.hpp"
+#include "oracle/reports/example_2.hpp"
+
+namespace lubjoint::reports {
+
+/// Journal in its bearing, and the driving moment, at an instant.
+struct ReferenceSample {
+  Vector2<double> eccentricity_ratio;  ///< ê
+  Vector2<double> force;               ///< on the journal [N]
+  double driving_moment;               ///< [N m]
+};
+
+/// Masses and lengths of a slider-crank scene with bodies crank, rod and slider.
+/// @throws std::invalid_argument  a scene of another kind
+mechanisms::SliderCrank<double> slider_crank_of(const Scene& scene);
+
+/// Speed of the scene's driver [rad/s].
+double crank_speed_of(const Scene& scene);
+
+/// The scene in minimal coordinates, in 64-bit significands by Fehlberg's 7(8): from e = 0 and the ideal velocities.
+/// @param times  ascending, the first 0
+std::vector<ReferenceSample> minimal_coordinates_run(const Scene& scene, const std::vector<double>& times,
+                                                     double tolerance);
+
+/// The periodic orbit by Newton's method on the revolution map in minimal coordinates.
+/// @param last  ê at the end of a run of whole revolutions
+PeriodicOrbit periodic_orbit(const Scene& scene, const Vector2<double>& last);
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,123 @@
+#include <boost/math/tools/roots.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "support/scenes.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::test;
+using Catch::Contains;
+
+namespace {
+
+const std::string scenes = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/";
+
+/// A journal thrown along x against the wall of a dry bearing.
+Scene thrown_journal(double speed, double restitution) {
+  Scene scene;
+  scene.file = scene.name = "thrown";
+  scene.bodies = {body("journal", 0.13, 2.5e-4, {0, 0})};
+  scene.bodies[0].velocity = {speed, 0};
+  scene.joints = {dry_joint({std::nullopt, {0, 0}}, {0, {0, 0}}, restitution)};
+  scene.run.duration = 0.0002 / speed + 2e-4;
+  scene.energy_ledger = true;
+  set_tolerance(scene, 1e-10);
+  return scene;
+}
+
+/// v₁ of d v₀ − ln(1 + d v₀) = −d v₁ − ln(1 − d v₁), d = 3(1 − c_r²)/(4 v₀).
+double exact_exit_speed(double speed, double restitution) {
+  const double d = 3 * (1 - restitution * restitution) / (4 * speed);
+  const double left = d * speed - std::log1p(d * speed);
+  const auto gap = [&](double v) { return -d * v - std::log1p(-d * v) - left; };
+  std::uintmax_t iterations = 100;
+  const auto root = boost::math::tools::toms748_solve(gap, 1e-6 * speed, std::min(speed, (1 - 1e-12) / d),
+                                                      boost::math::tools::eps_tolerance<double>(50), iterations);
+  return root.first;
+}
+
+}  // namespace
+
+TEST_CASE("dry impact: the exit speed is the exact one, whatever the speed and the restitution") {
+  for (const double speed : {0.1, 1.0}) {
+    for (const double restitution : {0.3, 0.7, 0.95}) {
+      const MultibodyTrajectory run = simulate_multibody(thrown_journal(speed, restitution));
+      INFO("speed " << speed << ", restitution " << restitution << ' ' << run.outcome.message);
+      REQUIRE(run.events.size() >= 2);
+      CHECK(std::abs(-run.events[1].normal_speed / exact_exit_speed(speed, restitution) - 1) <
+            1e-7);  // tolerance × stiffness
+      CHECK(*run.energy_residual < 100 * 1e-10 * run.energy_scale);
+    }
+  }
+}
+
+TEST_CASE("contact: entry is located to 1e-12 s") {
+  const MultibodyTrajectory run = simulate_multibody(thrown_journal(0.7, 0.5));
+  REQUIRE(!run.events.empty());
+  CHECK(std::abs(run.events[0].t - 0.0002 / 0.7) < 1e-12);
+  CHECK(std::abs(run.events[0].normal_speed - 0.7) < 1e-12);  // a free flight: rounding
+}
+
+TEST_CASE("impact scene: film, blend and dry contact, with a force that is continuous across every event") {
+  const Scene scene = load_scene(scenes + "impact.toml");
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  INFO(run.outcome.message);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  REQUIRE(run.events.size() >= 4);
+  CHECK(run.joints[0].eccentricity.value > scene.joints[0].clearance);
+  bool dry = false;
+  for (const ContactEvent& event : run.events) {
+    dry = dry || event.to == ContactPhase::dry;
+    CHECK(event.force_jump < 1e-9 * run.joints[0].force.value);
+  }
+  CHECK(dry);
+  CHECK(*run.energy_residual < 100 * scene.run.relative_tolerance * run.energy_scale);
+}
+
+TEST_CASE("a joint without transition stops at its wall with a message, and has no events before") {
+  Scene scene = load_scene(scenes + "impact.toml");
+  scene.joints[0].transition.reset();
+  scene.joints[0].contact.reset();
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  CHECK(run.events.empty());
+  CHECK(run.outcome.mode_changes == 0);
+  for (const MultibodySample& sample : run.samples) {
+    CHECK(sample.joints[0].eccentricity_ratio < 1);
+    CHECK(std::isfinite(sample.joints[0].force.norm()));
+  }
+}
+
+TEST_CASE("friction turns a spinning journal's rebound, and its work is in the ledger") {
+  Scene scene = thrown_journal(1.0, 0.8);
+  scene.bodies[0].spin = 300;
+  scene.joints[0].contact->friction = 0.1;
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  const auto& last = run.samples.back().state;
+  CHECK(last[4] < -1e-3);  // the wall holds the spinning surface back: the journal leaves downwards
+  CHECK(last[5] < 300);
+  CHECK(*run.energy_residual < 100 * 1e-10 * run.energy_scale);
+}
+
+TEST_CASE("slider-crank with 0.5 mm and a thin oil: with a transition it touches, and the force stays continuous") {
+  Scene scene = load_scene(scenes + "slider-crank-c0.5-mu0.04.toml");
+  scene.joints[0].transition = SceneTransition{2e-6, 4e-6};
+  scene.joints[0].contact = dry_joint({}, {0, {0, 0}}, 0.9).contact;
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  REQUIRE(run.events.size() >= 2);
+  CHECK(run.joints[0].eccentricity.value > scene.joints[0].clearance);
+  for (const ContactEvent& event : run.events) CHECK(event.force_jump < 1e-9 * run.joints[0].force.value);
+  CHECK(*run.energy_residual < 100 * scene.run.relative_tolerance * run.energy_scale);
+}
+
+TEST_CASE("a half film that slides on its jump between two bodies is stopped with a reason, not left to run") {
+  Scene scene = load_scene(scenes + "slider-crank.toml");
+  scene.joints[0].film = "long_half";
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  CHECK(run.outcome.status == RunStatus::stopped);
+  CHECK_THAT(run.outcome.message, Contains("a half film that slides on its jump"));
+  CHECK(run.outcome.steps + run.outcome.rejected_steps < 100000);
+}
