@@ -47,7 +47,7 @@ const std::map<std::string, Rule> rules = {
     {"integrator.name", {false, false}},
     {"integrator.relative_tolerance", {false, true}},
     {"integrator.absolute_tolerance", {false, true}},
-    {"output.interval", {true, true}},
+    {"output.interval", {false, true}},
 };
 
 std::vector<std::string> refused_values(const SceneField& field) {
@@ -157,7 +157,8 @@ TEST_CASE("Scene: an unknown key is refused, and the nearest known one named") {
     CHECK_THAT(*message, Contains("required is") || Contains("allowed are"));
   }
   check_refused(journal_text().replaced(journal_text().field("gravity"), "colour = 1"), 6,
-                {"unknown key colour; allowed are name, gravity, duration, bodies, loads, joints, integrator, output"});
+                {"unknown key colour; allowed are name, gravity, duration, bodies, loads, joints, constraints, "
+                 "integrator, output"});
 }
 
 TEST_CASE("Scene: a law or an integrator that is not there is refused with the list and the nearest") {

@@ -84,7 +84,7 @@ TEST_CASE("bad multibody scenes are refused: file, line, key, what was given, wh
   CHECK_THAT(crank("first = {body = \"crank\"", "first = {body = \"rod\""), Contains("another body"));
   CHECK_THAT(
       crank("journal = {body = \"slider\", point = [0.0, 0.0]}", "journal = {body = \"slider\", point = [0.001, 0.0]}"),
-      Contains("joints[0] \"gudgeon-pin\": its journal starts at eccentricity ratio 5"));
+      Contains("joints[0].journal is at eccentricity ratio 5"));
   CHECK_THAT(crank("name = \"guide\"", "name = \"crank-pin\""),
              Contains("a name that no other constraint or joint has"));
   CHECK_THAT(impact("e1 = 1e-5", "e1 = 5e-6"), Contains("transition.e1 is 5e-06 m") && Contains("more than e0"));
