@@ -59,8 +59,8 @@ R contact_stiffness(const Bearing<R>& bearing, const R& bearing_modulus, const R
   detail::require_positive("journal's Young's modulus", journal_modulus, "Pa");
   const R outer = bearing.radius() + bearing.clearance();
   const R curvature = outer * bearing.radius() / bearing.clearance();
-  const R compliance = (1 - bearing_ratio * bearing_ratio) / bearing_modulus +
-                       (1 - journal_ratio * journal_ratio) / journal_modulus;
+  const R compliance =
+      (1 - bearing_ratio * bearing_ratio) / bearing_modulus + (1 - journal_ratio * journal_ratio) / journal_modulus;
   return 4 * sqrt(curvature) / (3 * compliance);
 }
 
