@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   lubjoint::cli::add_model_error(app, action);
   lubjoint::cli::add_accuracy(app, action);
   lubjoint::cli::add_bench(app, action);
+  lubjoint::cli::add_verify(app, action);
 #if LUBJOINT_HAS_PROOFS
   lubjoint::cli::add_prove(app, action);
 #endif

@@ -140,16 +140,25 @@ std::vector<Suspicion> suspects(const Judgement& judgement, const std::vector<St
     if (c.share >= 0.02) candidates.push_back(std::move(c));
   }
   std::vector<Suspicion> alone = grouped(candidates, 5);
-  if (!alone.empty() && alone[0].explains_all()) return alone;
+  if (!alone.empty() && alone[0].explains_all()) return {alone[0]};
 
-  // Pairs: a few states first, all of the sample for those that survive.
-  const Sample few = sample_of(judgement, 32, 8);
-  const double to_beat = alone.empty() ? 0.1 : alone[0].share - alone[0].contradicted + 0.05;
+  // Pairs must explain a third of what the best one leaves open. A few states first, half of them of those that it
+  // leaves open; all of the sample for the pairs that survive.
+  const double best = candidates.empty() ? 0 : alone[0].share - alone[0].contradicted;
+  const double to_beat = best + 0.33 * (1 - best);
+  Sample few = sample_of(judgement, 16, 8);
+  const Set head = alone.empty() ? Set{} : alone[0].mistakes;
+  std::vector<std::size_t> left_open;
+  for (const std::size_t state : sample.states) {
+    if (alone.empty() || !matcher.predicts(head, state)) left_open.push_back(state);
+  }
+  const auto some = thinned(left_open, 16);
+  few.states.insert(few.states.end(), some.begin(), some.end());
+  const auto allowed = static_cast<std::size_t>((1 - to_beat) * static_cast<double>(few.states.size())) + 4;
   for (std::size_t i = 0; i < known.size(); ++i) {
     for (std::size_t j = i + 1; j < known.size(); ++j) {
       const Set pair = {known[i], known[j]};
       std::size_t misses = 0;
-      const auto allowed = static_cast<std::size_t>((1 - to_beat * 0.8) * static_cast<double>(few.states.size()));
       for (const std::size_t state : few.states) {
         if (!matcher.predicts(pair, state) && ++misses > allowed) break;
       }
@@ -158,7 +167,9 @@ std::vector<Suspicion> suspects(const Judgement& judgement, const std::vector<St
       if (c.score() >= to_beat) candidates.push_back(std::move(c));
     }
   }
-  return grouped(std::move(candidates), 5);
+  std::vector<Suspicion> all = grouped(std::move(candidates), 5);
+  if (!all.empty() && all[0].explains_all()) all.erase(all.begin() + 1, all.end());
+  return all;
 }
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
@@ -207,9 +218,6 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
       pattern.facts.push_back(fmt::format("{} is right everywhere", names[k]));
     } else if (high - low <= 1e-6 * std::abs(high)) {
       pattern.facts.push_back(fmt::format("{} is {:.8g} times what it should be", names[k], high));
-    } else if (std::isfinite(low)) {
-      pattern.facts.push_back(
-          fmt::format("{} is between {:.6g} and {:.6g} times what it should be", names[k], low, high));
     }
   }
   pattern.facts.push_back(percent(static_cast<double>(judgement.failing.size()) / static_cast<double>(states.size())) +
