@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
 
+#include "oracle/verify/single_precision.hpp"
 #include "support/verify_answers.hpp"
 
 using namespace lubjoint;
@@ -84,17 +86,17 @@ TEST_CASE("gallery: pairs of mistakes are named in at least nine cases of ten") 
 
 TEST_CASE("gallery: mistakes are named in single precision and from seven printed digits, too") {
   const std::vector<State> states = states_to_verify(Quantities::cartesian, 60, 5);
-  for (const std::string_view law : film_law_names) {
+  for (const std::string_view law : {"short_half", "short_dynamic", "long_full", "pinkus_sternlicht"}) {
     int tried = 0, named_in_single = 0, named_in_text = 0;
     for (const Mistake* mistake : mistakes_for(Quantities::cartesian, law_of(law))) {
       if (mistake->name == "sign_of_zero_is_zero") continue;  // shows in too few states to be told from others
       const Answers exact = mistaken_answers(Quantities::cartesian, law_of(law), states, {mistake});
-      const auto in_single = answers_of(Quantities::cartesian, states, [&](const State& state) {
+      const Answers rounded = answers_of(Quantities::cartesian, states, [&](const State& state) {
         auto answer = solve_with(Quantities::cartesian, law_of(law), state, {mistake}).answer;
-        for (Real& value : answer) value = static_cast<float>(value);
+        for (Real& value : answer) value = in_single(static_cast<double>(value));
         return answer;
       });
-      const Verification a = verified(Quantities::cartesian, law, states, in_single);
+      const Verification a = verified(Quantities::cartesian, law, states, rounded);
       const Verification b =
           verified(Quantities::cartesian, law, states, through_text(Quantities::cartesian, exact, "{:.6e}"));
       INFO(law << " with " << mistake->name << ", taken for " << first_suspicion(a) << "and " << first_suspicion(b));
@@ -153,12 +155,12 @@ TEST_CASE("verify: a mistake of 0.01 % in one term on one branch is caught, what
       });
       const Answers single = answers_of(Quantities::cartesian, states, [&](const State& state) {
         auto answer = solve(Quantities::cartesian, law_of(law), state, std::span(&change, 1)).answer;
-        for (Real& value : answer) value = static_cast<float>(value);
+        for (Real& value : answer) value = in_single(static_cast<double>(value));
         return answer;
       });
       INFO(law << ", change " << (&change - changes));
-      CHECK(verified(Quantities::cartesian, law, states, exact).verdict() == Verdict::disagrees);
-      CHECK(verified(Quantities::cartesian, law, states, single).verdict() == Verdict::disagrees);
+      CHECK(!judge(Quantities::cartesian, law_of(law), states, exact).agrees());
+      CHECK(!judge(Quantities::cartesian, law_of(law), states, single).agrees());
     }
   }
 }

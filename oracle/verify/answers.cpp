@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "oracle/reports/csv_table.hpp"
+#include "oracle/verify/single_precision.hpp"
 
 namespace lubjoint::verify {
 
@@ -92,7 +93,7 @@ bool all_in_single(const std::vector<Answer>& values, std::size_t columns) {
   for (const Answer& answer : values) {
     for (std::size_t k = 0; k < columns; ++k) {
       if (std::isnan(answer[k]) || answer[k] == 0) continue;
-      if (static_cast<double>(static_cast<float>(answer[k])) != answer[k]) return false;
+      if (!is_single(answer[k])) return false;
       ++numbers;
     }
   }

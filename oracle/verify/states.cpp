@@ -4,13 +4,12 @@
 #include <numbers>
 #include <random>
 
+#include "oracle/verify/single_precision.hpp"
 #include "oracle/verify/solution.hpp"
 
 namespace lubjoint::verify {
 
 namespace {
-
-double in_single(double x) { return static_cast<double>(static_cast<float>(x)); }
 
 /// Numbers of a seeded generator that are the same on every machine (the standard's distributions are not).
 class Draw {
@@ -89,8 +88,9 @@ State turning_squeeze(State s) {
 
 void add_contact(std::vector<State>& states, Draw& draw) {
   for (const double depth : {0.0, 0.1, 0.5, 0.9, 1.0, 1.5, 4.0}) {
-    for (const double b : {-20.0, -0.5, 0.0, 0.5, 20.0}) {
+    for (const double part : {-6.0, -0.5, 0.0, 0.5, 2.0}) {
       State s = bearing_of(draw);
+      const double b = part * s.impact_speed / s.clearance;
       const double ratio = 1 + depth * s.e0 / s.clearance;
       set_motion(s, ratio, draw.sign() * 30, b, draw);
       if (depth == 0 || depth == 1) {  // on the seams themselves
@@ -156,10 +156,14 @@ std::vector<State> states_to_verify(Quantities quantities, std::size_t random, s
     double ratio = draw.between(0.05, 0.9);
     if (kind < 0.15) ratio = draw.decades(1e-6, 0.05);
     if (kind > 0.8) ratio = 1 - draw.decades(1e-4, 0.1);
-    if (quantities == Quantities::transition && draw.unit() < 0.3) ratio = 1 + draw.between(0, 2) * s.e0 / s.clearance;
     const double direction = draw.between(0, 2 * std::numbers::pi);
     const double size = draw.decades(0.1, 300);
-    set_motion(s, ratio, 2 * size * std::cos(direction), size * std::sin(direction), draw);
+    double b = size * std::sin(direction);
+    if (quantities == Quantities::transition && draw.unit() < 0.3) {
+      ratio = 1 + draw.between(0, 2) * s.e0 / s.clearance;
+      b = draw.between(-6, 3) * s.impact_speed / s.clearance;  // fast enough for the contact's loss to show
+    }
+    set_motion(s, ratio, 2 * size * std::cos(direction), b, draw);
     if (!sign_is_doubtful(quantities, s)) states.push_back(s);
   }
   return states;

@@ -24,7 +24,8 @@ function x = ifelse(condition, yes, no)
 endfunction
 
 fgetl(stdin);  % header
-s = reshape(fscanf(stdin, "%f,"), 11, [])';
+text = fread(stdin, Inf, "uint8=>char")';
+s = reshape(sscanf(strrep(text, ",", " "), "%f"), 11, [])';
 f = long_full(s, any(strcmp(argv(), "wrong")));
 printf("id,fx,fy\n");
 printf("%d,%.17g,%.17g\n", [s(:, 1), f]');

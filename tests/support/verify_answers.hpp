@@ -14,24 +14,25 @@ namespace lubjoint::test {
 template <class T>
 std::array<T, verify::most_answers> library_answer(verify::Quantities quantities, std::string_view law,
                                                    const verify::State& s) {
-  const Bearing<T> bearing{T(s.length), T(s.radius), T(s.clearance)};
-  const Lubricant<T> oil{T(s.viscosity)};
+  const auto t = [](double x) { return static_cast<T>(x); };
+  const Bearing<T> bearing{t(s.length), t(s.radius), t(s.clearance)};
+  const Lubricant<T> oil{t(s.viscosity)};
   return with_film_law(law, [&]<class Law>() -> std::array<T, verify::most_answers> {
     if (quantities == verify::Quantities::polar) {
-      const T ratio(s.eccentricity_ratio);
-      const T a = ratio * (T(s.omega) - 2 * T(s.attitude_rate));
-      const PolarForce<T> f = film_force<Law>(bearing, oil, PolarFilmState<T>(ratio, a, T(s.squeeze_rate)));
+      const T ratio = t(s.eccentricity_ratio);
+      const T a = ratio * (t(s.omega) - 2 * t(s.attitude_rate));
+      const PolarForce<T> f = film_force<Law>(bearing, oil, PolarFilmState<T>(ratio, a, t(s.squeeze_rate)));
       return {f.radial, f.tangential, T(0), T(0)};
     }
-    const JournalMotion<T> motion{{T(s.ex), T(s.ey)}, {T(s.vx), T(s.vy)}, T(s.omega_bearing), T(s.omega_journal)};
+    const JournalMotion<T> motion{{t(s.ex), t(s.ey)}, {t(s.vx), t(s.vy)}, t(s.omega_bearing), t(s.omega_journal)};
     Vector2<T> f;
     if (quantities == verify::Quantities::transition) {
-      f = transition_force<Law>(bearing, oil, TransitionBand<T>(T(s.e0), T(s.e1)),
-                                DryContact<T>(T(s.contact_stiffness), T(s.restitution)), motion, T(s.impact_speed));
+      f = transition_force<Law>(bearing, oil, TransitionBand<T>(t(s.e0), t(s.e1)),
+                                DryContact<T>(t(s.contact_stiffness), t(s.restitution)), motion, t(s.impact_speed));
     } else {
       f = film_force<Law>(bearing, oil, film_state(motion, bearing.clearance()));
     }
-    const JointKinematics<T> joint{{T(s.sx_i), T(s.sy_i)}, {T(s.sx_j), T(s.sy_j)}, motion};
+    const JointKinematics<T> joint{{t(s.sx_i), t(s.sy_i)}, {t(s.sx_j), t(s.sy_j)}, motion};
     const JointWrenches<T> wrenches = joint_wrenches(joint, f);
     return {f.x(), f.y(), wrenches.bearing.moment, wrenches.journal.moment};
   });
