@@ -100,7 +100,7 @@ void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", "Is another implementation right, and if not, what is its mistake?");
   command->add_option("--law", options->law, "Film law that it claims, or auto: find out");
-  command->add_option("--quantities", options->quantities, "cartesian, polar, wrench or transition");
+  command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");
   command->add_option("--states", options->states, "Random states beside the designed ones")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
   command->add_option("--seed", options->seed, "Seed of the random states");

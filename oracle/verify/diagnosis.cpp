@@ -183,7 +183,7 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
     double failing = 0, passing = 0;
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Solution s = solve(judgement.quantities, judgement.law, states[i]);
-      if (s.force.isZero(0) || !selects(s)) continue;
+      if ((s.answer[0] == 0 && s.answer[1] == 0) || !selects(s)) continue;
       (judgement.comparisons[i].excess > 1 ? failing : passing) += 1;
     }
     return std::array<double, 2>{failing, passing};

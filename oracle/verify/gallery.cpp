@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
+
+#include "oracle/verify/states.hpp"
 
 namespace lubjoint::verify {
 
@@ -19,10 +22,31 @@ const std::vector<Mistake>& gallery() {
   return all;
 }
 
+namespace {
+
+/// Most mistakes about forces leave pressures and extents alone.
+bool shows(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake) {
+  bool changes = false;
+  for (const State& state : states) {
+    const Solution right = solve(quantities, law, state);
+    const Solution wrong = solve(quantities, law, state, mistake.changes);
+    if (std::isnan(wrong.answer[0])) return false;
+    changes = changes || std::abs(wrong.answer[0] - right.answer[0]) > 1e-6L * size_of_terms(right) ||
+              std::abs(wrong.answer[1] - right.answer[1]) > 1e-6L * size_of_terms(right);
+  }
+  return changes;
+}
+
+}  // namespace
+
 std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
+  const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
+  const std::vector<State> states = of_film_only ? designed_states(quantities) : std::vector<State>();
   for (const Mistake& mistake : gallery()) {
-    if (mistake.applies(quantities, law)) list.push_back(&mistake);
+    if (!mistake.applies(quantities, law)) continue;
+    if (of_film_only && !shows(quantities, law, states, mistake)) continue;
+    list.push_back(&mistake);
   }
   return list;
 }

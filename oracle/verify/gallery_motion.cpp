@@ -9,7 +9,7 @@ namespace lubjoint::verify {
 namespace {
 
 bool always(Quantities, Law) { return true; }
-bool in_plane(Quantities q, Law) { return q != Quantities::polar; }
+bool in_plane(Quantities q, Law) { return !is_polar(q); }
 bool half_in_any(Quantities, Law law) { return is_half(law); }
 
 /// r and t reversed: what arctan(e_y/e_x) gives for e_x < 0.
@@ -90,7 +90,7 @@ std::vector<Mistake> motion_mistakes() {
       {"squeeze_rate_over_clearance_twice",
        "ε̇ is taken for ė and divided by the clearance once more",
        "The squeeze's force is larger by one over the clearance in metres",
-       [](Quantities q, Law) { return q == Quantities::polar; },
+       [](Quantities q, Law) { return is_polar(q); },
        {{Step::rates, [](S& s) { s.b /= s.clearance; }}}},
       {"slide_not_over_clearance",
        "v·t in m/s, not divided by the clearance: a = ε(ω_B + ω_J) − 2v·t",

@@ -47,7 +47,7 @@ Reference reference(Quantities quantities, Law law, const State& state) {
   const double force = std::hypot(static_cast<double>(solution.answer[0]), static_cast<double>(solution.answer[1]));
   for (std::size_t k = 0; k < columns; ++k) {
     result.sensitivity[k] = 4 * inputs[k] + terms;
-    result.size[k] = force;
+    result.size[k] = quantities == Quantities::pressure ? terms / 16 : force;
     if (k < 2) continue;
     const double arm = k == 2 ? std::hypot(state.sx_i, state.sy_i) + std::hypot(state.ex, state.ey)
                               : std::hypot(state.sx_j, state.sy_j);

@@ -52,9 +52,15 @@ const std::vector<StateColumn>& state_columns(Quantities quantities) {
                          {"contact_stiffness", &State::contact_stiffness},
                          {"restitution", &State::restitution},
                          {"impact_speed", &State::impact_speed}});
+  static const std::vector<StateColumn> extent(polar.begin() + 4, polar.end());  // neither oil nor bearing
+  static const std::vector<StateColumn> pressure = joined(polar, {{"theta", &State::theta}, {"z", &State::z}});
   switch (quantities) {
     case Quantities::polar:
       return polar;
+    case Quantities::extent:
+      return extent;
+    case Quantities::pressure:
+      return pressure;
     case Quantities::wrench:
       return wrench;
     case Quantities::transition:
@@ -69,7 +75,11 @@ const std::vector<std::string_view>& answer_columns(Quantities quantities) {
   static const std::vector<std::string_view> plane = {"fx", "fy"};
   static const std::vector<std::string_view> polar = {"radial", "tangential"};
   static const std::vector<std::string_view> wrench = {"fx", "fy", "mz_bearing", "mz_journal"};
+  static const std::vector<std::string_view> extent = {"theta_s", "theta_e"};
+  static const std::vector<std::string_view> pressure = {"pressure"};
   if (quantities == Quantities::polar) return polar;
+  if (quantities == Quantities::extent) return extent;
+  if (quantities == Quantities::pressure) return pressure;
   return quantities == Quantities::wrench ? wrench : plane;
 }
 

@@ -11,9 +11,16 @@ namespace lubjoint::verify {
 
 /// cartesian: force from the motion in x and y.  polar: radial and tangential force from ε and rates.
 /// wrench: cartesian, and the moments about the mass centres.  transition: cartesian, with film and dry contact.
-enum class Quantities { cartesian, polar, wrench, transition };
+/// extent: where the film carries pressure, θs and θe.  pressure: at a place (θ, z), zero outside the film.
+enum class Quantities { cartesian, polar, wrench, transition, extent, pressure };
 
-inline constexpr std::array<std::string_view, 4> quantities_names = {"cartesian", "polar", "wrench", "transition"};
+inline constexpr std::array<std::string_view, 6> quantities_names = {"cartesian",  "polar",  "wrench",
+                                                                     "transition", "extent", "pressure"};
+
+/// True where states are given by ε and rates.
+constexpr bool is_polar(Quantities q) {
+  return q == Quantities::polar || q == Quantities::extent || q == Quantities::pressure;
+}
 
 /// @throws std::invalid_argument that lists what there is
 Quantities quantities_of(std::string_view name);
@@ -44,6 +51,8 @@ struct State {
   double contact_stiffness = 0;
   double restitution = 0;
   double impact_speed = 0;
+  double theta = 0;  ///< from the maximum film, counter-clockwise
+  double z = 0;      ///< axial, from the middle
 };
 
 /// One column of the states.

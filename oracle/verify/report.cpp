@@ -112,6 +112,10 @@ nlohmann::json state_json(const Verification& v, std::size_t i) {
   return {{"id", i + 1}, {"inputs", inputs}, {"expected", expected}, {"received", received}, {"tolerance", tolerance}};
 }
 
+bool has_answers(Quantities quantities, Law law) {
+  return quantities != Quantities::pressure || law != Law::pinkus_sternlicht;
+}
+
 }  // namespace
 
 Verdict Verification::verdict() const {
@@ -123,9 +127,16 @@ Verification verify_answers(Quantities quantities, const std::string& law, std::
   const bool find = law == "auto";
   std::vector<Law> laws;
   if (find) {
-    for (std::size_t i = 0; i < law_count; ++i) laws.push_back(static_cast<Law>(i));
+    for (std::size_t i = 0; i < law_count; ++i) {
+      if (!has_answers(quantities, static_cast<Law>(i))) continue;
+      laws.push_back(static_cast<Law>(i));
+    }
   } else {
     laws.push_back(law_of(law));
+    if (!has_answers(quantities, laws[0])) {
+      throw std::invalid_argument("law " + law + " is not the integral of any pressure field: --quantities " +
+                                  std::string(name_of(quantities)) + " allows every other law");
+    }
   }
   std::vector<Judgement> judged;
   for (const Law candidate : laws) {

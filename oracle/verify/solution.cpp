@@ -27,6 +27,8 @@ void read(Solution& s, const State& state) {
   s.polar_attitude = state.attitude_rate;
   s.arm_bearing = Plane(state.sx_i, state.sy_i);
   s.arm_journal = Plane(state.sx_j, state.sy_j);
+  s.theta = state.theta;
+  s.z = state.z;
   if (s.quantities != Quantities::transition) return;
   s.e0 = state.e0;
   s.e1 = state.e1;
@@ -37,7 +39,7 @@ void read(Solution& s, const State& state) {
 }
 
 void find_kinematics(Solution& s) {
-  if (s.quantities == Quantities::polar) {
+  if (is_polar(s.quantities)) {
     s.ratio = s.polar_ratio;
     s.ratio_gap = 1 - s.polar_ratio;
     s.b = s.polar_squeeze;
@@ -157,7 +159,7 @@ bool is_half(Law law) { return law == Law::short_half || law == Law::long_half |
 bool is_dynamic(Law law) { return law == Law::short_dynamic || law == Law::long_dynamic; }
 
 void Solution::scale_lengths(Real factor) {
-  for (Real* x : {&length, &radius, &clearance, &film_widening, &e0, &e1, &impact_speed}) *x *= factor;
+  for (Real* x : {&length, &z, &radius, &clearance, &film_widening, &e0, &e1, &impact_speed}) *x *= factor;
   for (Plane* x : {&e, &v, &arm_bearing, &arm_journal}) *x *= factor;
 }
 
@@ -177,6 +179,14 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
   after(Step::kinematics);
   s.a = s.spin_part + s.attitude_part;
   after(Step::rates);
+  if (quantities == Quantities::extent || quantities == Quantities::pressure) {
+    find_extent(s);
+    if (quantities == Quantities::pressure) find_pressure(s);
+    s.answer = {quantities == Quantities::extent ? s.theta_s : s.pressure,
+                quantities == Quantities::extent ? s.theta_e : 0, 0, 0};
+    after(Step::answer);
+    return s;
+  }
   find_terms(s);
   after(Step::terms);
   const Real size = is_short(s.law) ? s.length : s.radius;
@@ -198,6 +208,8 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
 }
 
 Real size_of_terms(const Solution& s) {
+  if (s.quantities == Quantities::extent) return turn_half;
+  if (s.quantities == Quantities::pressure) return s.pressure_terms;
   Real film = std::abs(s.radial_wedge) + std::abs(s.radial_squeeze) + std::abs(s.tangential_wedge) +
               std::abs(s.tangential_squeeze);
   if (is_dynamic(s.law)) {

@@ -82,6 +82,10 @@ struct Solution {
   Plane force{0, 0};      ///< on the journal
   Real reaction_arm = 1;  ///< factor of the transport moment
   Real moment_bearing = 0, moment_journal = 0;
+  Real theta = 0, z = 0;
+  Real theta_s = 0, theta_e = 0;
+  Real pressure = 0;
+  Real pressure_terms = 0;  ///< sum of the magnitudes that the pressure is made of
   std::array<Real, most_answers> answer{};
 
   Real q() const { return ratio_gap * (1 + ratio); }  ///< 1 − ε²
@@ -96,11 +100,16 @@ struct Change {
 };
 
 /// Works out the answer; the changes that a step has are made after it, in their order.
-/// Where no film exists (ε ≥ 1) the answer is NaN.
+/// Where no film exists (ε ≥ 1) the answer is NaN; so is the pressure of Pinkus and Sternlicht's law, which has none.
 Solution solve(Quantities quantities, Law law, const State& state, std::span<const Change> changes = {});
 
+/// θs and θe of the law's film, and the pressure at (θ, z); need the rates.
+void find_extent(Solution& solution);
+void find_pressure(Solution& solution);
+
 /// Sum of the magnitudes of the terms that the film force is the sum of [N]: what rounding is proportional to. For
-/// the dynamic films, those of the integrals over the film that their formulas combine.
+/// the dynamic films, those of the integrals over the film that their formulas combine. Of a pressure [Pa] and of the
+/// film's ends [rad] likewise.
 Real size_of_terms(const Solution& solution);
 
 }  // namespace lubjoint::verify

@@ -39,6 +39,10 @@ State bearing_of(Draw& draw) {
   s.contact_stiffness = in_single(draw.decades(1e8, 1e11));
   s.restitution = in_single(draw.between(0.2, 0.95));
   s.impact_speed = in_single(draw.decades(1e-2, 1));
+  do {
+    s.theta = in_single(draw.between(0, 2 * std::numbers::pi));
+  } while (std::abs(std::sin(s.theta)) < 1e-3);  // the short half film's pressure jumps at its ends
+  s.z = in_single(draw.between(-0.5, 0.5) * s.length);
   return s;
 }
 
@@ -108,7 +112,7 @@ Regime regime_of(Quantities quantities, const State& state) {
   const Solution s = solve(quantities, Law::short_full, state);
   const double distance = std::hypot(state.ex, state.ey);
   if (quantities == Quantities::transition && distance > state.clearance) return Regime::contact;
-  const Real ratio = quantities == Quantities::polar ? s.ratio : distance / state.clearance;
+  const Real ratio = is_polar(quantities) ? s.ratio : distance / state.clearance;
   if (ratio < 0.05L) return Regime::near_concentric;
   if (ratio > 0.9L) return Regime::thin_film;
   if (s.b < 0) return Regime::separating;
