@@ -1,5 +1,5 @@
 #include "array_rows.hpp"
-#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/joint/touching_journal.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::c;
@@ -18,12 +18,13 @@ int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing, 
     }
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    const TransitionBand<double> band(contact->e0, contact->e1);
-    const DryContact<double> dry(contact->stiffness, contact->restitution);
-    detail::require_positive("impact_speed", contact->impact_speed, "m/s");
+    const TransitionTolerances<double> tolerances(contact->e0, contact->e1);
+    const ContactSurface<double> surface{contact->stiffness, contact->restitution};
+    require_contact(surface, contact->impact_speed);
     with_film_law(law, [&]<class Law>() {
       for_rows(n, fx, fy, [&](std::size_t i) {
-        return transition_force<Law>(geometry, oil, band, dry, motion_at(*motion, i), contact->impact_speed);
+        return touching_journal_force<Law>(geometry, oil, tolerances, surface, motion_at(*motion, i),
+                                           contact->impact_speed);
       });
     });
   });

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "lubjoint/film/law_list.hpp"
-#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/joint/touching_journal.hpp"
 #include "lubjoint/joint/wrench.hpp"
 #include "oracle/verify/report.hpp"
 
@@ -27,8 +27,9 @@ std::array<T, verify::most_answers> library_answer(verify::Quantities quantities
     const JournalMotion<T> motion{{t(s.ex), t(s.ey)}, {t(s.vx), t(s.vy)}, t(s.omega_bearing), t(s.omega_journal)};
     Vector2<T> f;
     if (quantities == verify::Quantities::transition) {
-      f = transition_force<Law>(bearing, oil, TransitionBand<T>(t(s.e0), t(s.e1)),
-                                DryContact<T>(t(s.contact_stiffness), t(s.restitution)), motion, t(s.impact_speed));
+      f = touching_journal_force<Law>(bearing, oil, TransitionTolerances<T>(t(s.e0), t(s.e1)),
+                                      ContactSurface<T>{t(s.contact_stiffness), t(s.restitution)}, motion,
+                                      t(s.impact_speed));
     } else {
       f = film_force<Law>(bearing, oil, film_state(motion, bearing.clearance()));
     }

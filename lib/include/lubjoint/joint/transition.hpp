@@ -1,62 +1,54 @@
-/// From film to dry contact and back, without a jump.
+/// From the film to the dry contact and back.
 #pragma once
 
-#include "lubjoint/film/law.hpp"
-#include "lubjoint/joint/dry_contact.hpp"
+#include <sstream>
+#include <stdexcept>
+
+#include "lubjoint/film/vector.hpp"
 
 namespace lubjoint {
 
-/// Tolerances of the transition: e₀, over which the film hands over to the contact, and e₁, by which the film's
-/// clearance is widened so that the film stays finite while it does; 0 < e₀ < e₁ [m].
+/// Widths of the transition: it is over at |e| = c + e₀; inside F_film the film's clearance is c + e₁. 0 < e₀ < e₁ [m].
 template <class R>
-class TransitionBand {
- public:
-  /// @throws std::invalid_argument that names the values and what is allowed
-  TransitionBand(const R& e0, const R& e1) : blend_(e0), widening_(e1) {
-    detail::require_positive("e0", e0, "m");
-    detail::require_positive("e1", e1, "m");
-    if (e0 < e1) return;
+struct TransitionTolerances {
+  R e0;
+  R e1;
+
+  TransitionTolerances(const R& blend, const R& widening) : e0(blend), e1(widening) {
+    if (e0 > 0 && e1 > e0) return;
     std::ostringstream message;
     message.precision(17);
-    message << "e0 is " << e0 << " m and e1 is " << e1 << " m; allowed is e0 below e1";
+    message << "transition e0 is " << e0 << " m and e1 is " << e1 << " m; allowed are 0 < e0 < e1";
     throw std::invalid_argument(message.str());
   }
-
-  const R& blend() const { return blend_; }        ///< e₀ [m]
-  const R& widening() const { return widening_; }  ///< e₁ [m]
-
-  /// The bearing that the film sees, with clearance c + e₁ (also for |e| ≤ c).
-  Bearing<R> film_bearing(const Bearing<R>& bearing) const {
-    return Bearing<R>(bearing.length(), bearing.radius(), bearing.clearance() + widening_);
-  }
-
- private:
-  R blend_;
-  R widening_;
 };
 
-/// Force on a journal that may touch its bearing's wall [N], inertial.
-///   F = F_film                                            |e| ≤ c
-///   F = ((c + e₀ − |e|) F_film + (|e| − c) F_dry) / e₀    c ≤ |e| ≤ c + e₀
-///   F = F_dry                                             |e| ≥ c + e₀
-/// Source: Flores et al. (2009), eq. 20. Continuous at both seams for every law and velocity: F_dry, too, is zero at
-/// |e| = c. The film is never asked for its force at ε ≥ 1.
-/// @param impact_speed  δ̇₀ [m/s], above 0
-template <FilmLaw Law, class T>
-Vector2<T> transition_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
-                            const TransitionBand<RealOf<T>>& band, const DryContact<RealOf<T>>& contact,
-                            const JournalMotion<T>& motion, const RealOf<T>& impact_speed) {
-  using R = RealOf<T>;
-  const R& c = bearing.clearance();
-  const T distance = is_zero(motion.eccentricity) ? T(0) : norm(motion.eccentricity);
-  if (value_of(distance) >= c + band.blend()) return dry_contact_force(contact, motion, c, impact_speed);
-  const Bearing<R> wide = band.film_bearing(bearing);
-  const Vector2<T> film = film_force<Law>(wide, oil, film_state(motion, wide.clearance()));
-  if (value_of(distance) <= c) return film;
-  const Vector2<T> dry = dry_contact_force(contact, motion, c, impact_speed);
-  const T of_dry = (distance - c) / band.blend();
-  const T of_film = 1 - of_dry;
-  return Vector2<T>(T(of_film * film.x() + of_dry * dry.x()), T(of_film * film.y() + of_dry * dry.y()));
+/// Where a joint with a transition is.
+enum class ContactPhase {
+  film,   ///< |e| ≤ c
+  blend,  ///< c ≤ |e| ≤ c + e₀
+  dry     ///< |e| ≥ c + e₀
+};
+
+inline const char* contact_phase_name(ContactPhase phase) {
+  return phase == ContactPhase::film ? "film" : phase == ContactPhase::blend ? "blend" : "dry";
+}
+
+/// The phase of a distance |e|. On a seam, the inner one.
+template <class R>
+ContactPhase contact_phase(const R& distance, const R& clearance, const TransitionTolerances<R>& tolerances) {
+  if (!(distance > clearance)) return ContactPhase::film;
+  return distance > clearance + tolerances.e0 ? ContactPhase::dry : ContactPhase::blend;
+}
+
+/// Blend of two forces: ((c + e₀ − |e|) F_film + (|e| − c) F_dry)/e₀, where c ≤ |e| ≤ c + e₀.
+/// Source: Flores et al. (2009), eq. 20.
+template <class T>
+Vector2<T> transition_force(const T& distance, const RealOf<T>& clearance,
+                            const TransitionTolerances<RealOf<T>>& tolerances, const Vector2<T>& film,
+                            const Vector2<T>& dry) {
+  const T weight = (distance - clearance) / tolerances.e0;
+  return Vector2<T>(T((1 - weight) * film.x() + weight * dry.x()), T((1 - weight) * film.y() + weight * dry.y()));
 }
 
 }  // namespace lubjoint
