@@ -151,6 +151,25 @@ TEST_CASE("verify: states in a file and answers from a file are judged like a pr
   fs::remove(answers);
 }
 
+TEST_CASE("verify: a trajectory of a scene is judged, and one of another law is not the same") {
+  const fs::path folder = temporary("run");
+  const std::string scene = LUBJOINT_SOURCE_DIR "/data/scenes/journal.toml";
+  REQUIRE(shell("\"$LUBJOINT\" simulate " + scene + " --out " + folder.string()).status == 0);
+  std::string csv;
+  for (const auto& entry : fs::directory_iterator(folder)) csv = entry.path().string();
+  const std::string verify = "\"$LUBJOINT\" verify --scene " + scene + " --trajectory " + csv;
+  const Outcome same = shell(verify);
+  INFO(same.output);
+  CHECK(same.status == 0);
+  const Outcome other = shell(verify + " --law short_full");
+  INFO(other.output);
+  CHECK(other.status == 1);
+  CHECK_THAT(other.output, Contains("disagrees") && Contains("clearances"));
+  CHECK(shell("\"$LUBJOINT\" verify --scene " + scene).status == 2);
+  CHECK(shell("\"$LUBJOINT\" verify --scene " + scene + " --trajectory " + scene).status == 2);
+  fs::remove_all(folder);
+}
+
 TEST_CASE("verify: data/mistakes.md is what the program says") {
   std::ifstream file(LUBJOINT_SOURCE_DIR "/data/mistakes.md");
   std::stringstream text;
