@@ -225,6 +225,12 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
   return pattern;
 }
 
+/// Zeros are within single precision's rounding of every answer that is a million times too small.
+bool mostly_zero(const Answers& answers) {
+  const auto zeros = std::ranges::count_if(answers.values, [](const Answer& a) { return a[0] == 0 && a[1] == 0; });
+  return 2 * static_cast<std::size_t>(zeros) > answers.values.size();
+}
+
 }  // namespace
 
 bool Suspicion::names(const std::vector<const Mistake*>& wanted) const {
@@ -236,7 +242,7 @@ bool Suspicion::names(const std::vector<const Mistake*>& wanted) const {
 Diagnosis diagnose(Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
   Diagnosis diagnosis{suspects(judgement, states, answers), {}};
   const bool explained = !diagnosis.suspicions.empty() && diagnosis.suspicions[0].share > 0.5;
-  if (!explained && judgement.precision.roundoff < single_roundoff) {
+  if (!explained && judgement.precision.roundoff < single_roundoff && !mostly_zero(answers)) {
     // A program that is wrong, and works in single precision on top of it.
     Judgement in_single = judgement;
     judge_at(in_single, answers, {single_roundoff, answers.text});
