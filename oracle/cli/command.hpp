@@ -24,6 +24,7 @@ void add_oracle(CLI::App& app, Action& action);
 void add_model_error(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_golden(CLI::App& app, Action& action);  // where the enclosures are built
+void add_verify(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);  // where the proofs are built
 
 /// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
 #if LUBJOINT_HAS_CERTIFIED
   lubjoint::cli::add_golden(app, action);
 #endif
+  lubjoint::cli::add_verify(app, action);
 #if LUBJOINT_HAS_PROOFS
   lubjoint::cli::add_prove(app, action);
 #endif

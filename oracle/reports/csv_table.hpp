@@ -29,6 +29,8 @@ class CsvTable {
 
   /// Position of a column. @throws CsvError if it is missing or there twice
   std::size_t column(std::string_view name) const;
+  /// The text of a field, without the spaces around it.
+  std::string_view field(std::size_t row, std::size_t column) const { return rows_[row].fields[column]; }
   /// A finite number. @throws CsvError
   double number(std::size_t row, std::size_t column) const;
   /// The error of a row that is well formed but impossible.

@@ -1,0 +1,93 @@
+/// What the functions of the C interface share. Each has a file of its own: together they are more than GCC inlines.
+#pragma once
+
+#include <cerrno>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "lubjoint.h"
+#include "lubjoint/film/law_list.hpp"
+
+namespace lubjoint::c {
+
+/// Keeps the text for lubjoint_message.
+void say(const char* text) noexcept;
+
+inline double at(const lubjoint_in& array, std::size_t i) {
+  return *reinterpret_cast<const double*>(reinterpret_cast<const char*>(array.data) +
+                                          static_cast<std::ptrdiff_t>(i) * array.stride);
+}
+
+inline void put(const lubjoint_out& array, std::size_t i, double value) {
+  *reinterpret_cast<double*>(reinterpret_cast<char*>(array.data) + static_cast<std::ptrdiff_t>(i) * array.stride) =
+      value;
+}
+
+template <class Pointer>
+void require(const char* name, const Pointer& pointer) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
+}
+
+inline void require(const lubjoint_motion& m) {
+  require("ex", m.ex.data);
+  require("ey", m.ey.data);
+  require("vx", m.vx.data);
+  require("vy", m.vy.data);
+  require("omega_bearing", m.omega_bearing.data);
+  require("omega_journal", m.omega_journal.data);
+}
+
+struct OutOfRange : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline std::string in_row(std::size_t i, const std::string& what) { return "row " + std::to_string(i) + ": " + what; }
+
+/// Runs the rows; a row without a film is named.
+template <class Row>
+void for_rows(std::size_t n, lubjoint_out first, lubjoint_out second, const Row& row) {
+  std::size_t i = 0;
+  try {
+    for (; i < n; ++i) {
+      const Vector2<double> force = row(i);
+      if (!std::isfinite(force.x()) || !std::isfinite(force.y())) {
+        throw OutOfRange(in_row(i, "the force is beyond the range of double precision; allowed are smaller rates"));
+      }
+      put(first, i, force.x());
+      put(second, i, force.y());
+    }
+  } catch (const FilmDomainError& error) {
+    throw FilmDomainError(in_row(i, error.what()));
+  }
+}
+
+/// Turns exceptions into error numbers.
+template <class Work>
+int guarded(const Work& work) noexcept {
+  try {
+    work();
+    return 0;
+  } catch (const FilmDomainError& error) {
+    say(error.what());
+    return EDOM;
+  } catch (const OutOfRange& error) {
+    say(error.what());
+    return ERANGE;
+  } catch (const std::bad_alloc&) {
+    say("no memory");
+    return ENOMEM;
+  } catch (const std::exception& error) {
+    say(error.what());
+    return EINVAL;
+  }
+}
+
+inline JournalMotion<double> motion_at(const lubjoint_motion& m, std::size_t i) {
+  return {{at(m.ex, i), at(m.ey, i)}, {at(m.vx, i), at(m.vy, i)}, at(m.omega_bearing, i), at(m.omega_journal, i)};
+}
+
+inline Bearing<double> bearing_of(const lubjoint_bearing& b) { return {b.length, b.radius, b.clearance}; }
+
+}  // namespace lubjoint::c

@@ -1,0 +1,93 @@
+/* C interface of lubjoint: film forces, contact and moments of lubricated revolute joints, over arrays.
+ *
+ * Units are SI. No function throws or prints. Each returns 0, or an error number of <errno.h>:
+ *   EINVAL  an argument is not allowed: an unknown law, a bearing that can't be, a null pointer
+ *   EDOM    a row of the arrays has no film: the eccentricity ratio is outside [0, 1), or a number is not finite
+ *   ERANGE  a force is beyond the range of double precision
+ *   ENOMEM  no memory
+ * lubjoint_message() then says what was given and what is allowed. After EDOM and ERANGE the rows before the one that
+ * the message names are answered, the others untouched. Calls from several threads don't disturb each other. */
+#ifndef LUBJOINT_H
+#define LUBJOINT_H
+
+#include <stddef.h>
+
+#if defined(_WIN32)
+#define LUBJOINT_API __declspec(dllexport)
+#else
+#define LUBJOINT_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An array that is read: element i is at (const char*)data + i*stride. Any stride goes, also 0: one number for all. */
+typedef struct lubjoint_in {
+  const double* data;
+  ptrdiff_t stride; /* in bytes */
+} lubjoint_in;
+
+/* An array that is written. */
+typedef struct lubjoint_out {
+  double* data;
+  ptrdiff_t stride; /* in bytes */
+} lubjoint_out;
+
+/* Bearing and oil; all numbers above 0, clearance below radius. */
+typedef struct lubjoint_bearing {
+  double viscosity; /* [Pa s] */
+  double length;    /* [m] */
+  double radius;    /* of the journal [m] */
+  double clearance; /* radial [m] */
+} lubjoint_bearing;
+
+/* Motion of journals in their bearings, in one inertial frame. */
+typedef struct lubjoint_motion {
+  lubjoint_in ex, ey;        /* journal's centre minus bearing's [m] */
+  lubjoint_in vx, vy;        /* its inertial rate [m/s] */
+  lubjoint_in omega_bearing; /* absolute spins [rad/s] */
+  lubjoint_in omega_journal;
+} lubjoint_motion;
+
+/* Dry contact and the transition to it: 0 < e0 < e1. */
+typedef struct lubjoint_contact {
+  double e0, e1;       /* blend and widening of the film's clearance [m] */
+  double stiffness;    /* [N/m^1.5] */
+  double restitution;  /* from 0 to 1 */
+  double impact_speed; /* at which the journal last crossed e = c outwards [m/s], above 0 */
+} lubjoint_contact;
+
+/* What went wrong in this thread's last call that did not return 0; never null. */
+LUBJOINT_API const char* lubjoint_message(void);
+LUBJOINT_API const char* lubjoint_version(void);
+
+/* Name of law number i from 0 on; null after the last. */
+LUBJOINT_API const char* lubjoint_law_name(size_t i);
+
+/* Force of the film on the journal, radial (along the eccentricity) and tangential (90 degrees counter-clockwise), of
+ * n states with eccentricity ratio, slip rate a and squeeze rate b [1/s]. */
+LUBJOINT_API int lubjoint_polar_force(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                      lubjoint_in eccentricity_ratio, lubjoint_in slip_rate, lubjoint_in squeeze_rate,
+                                      lubjoint_out radial, lubjoint_out tangential);
+
+/* Force of the film on the journal [N], in the frame of the motion. */
+LUBJOINT_API int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                        const lubjoint_motion* motion, lubjoint_out fx, lubjoint_out fy);
+
+/* Force on a journal that may touch the wall [N]: film, blend, dry contact. Defined for any eccentricity. */
+LUBJOINT_API int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing,
+                                           const lubjoint_contact* contact, size_t n, const lubjoint_motion* motion,
+                                           lubjoint_out fx, lubjoint_out fy);
+
+/* Moments [N m] about the mass centres of the bearing's body i and the journal's body j that a force F on the journal
+ * means; -F acts on body i at the journal's centre. sx_i ... sy_j: from the mass centre to the joint's centre [m]. */
+LUBJOINT_API int lubjoint_joint_moments(size_t n, lubjoint_in ex, lubjoint_in ey, lubjoint_in sx_i, lubjoint_in sy_i,
+                                        lubjoint_in sx_j, lubjoint_in sy_j, lubjoint_in fx, lubjoint_in fy,
+                                        lubjoint_out mz_bearing, lubjoint_out mz_journal);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,31 @@
+#include "array_rows.hpp"
+#include "lubjoint/joint/touching_journal.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::c;
+
+int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing, const lubjoint_contact* contact,
+                              size_t n, const lubjoint_motion* motion, lubjoint_out fx, lubjoint_out fy) {
+  return guarded([&] {
+    require("law", law);
+    require("bearing", bearing);
+    require("contact", contact);
+    require("motion", motion);
+    if (n > 0) {
+      require(*motion);
+      require("fx", fx.data);
+      require("fy", fy.data);
+    }
+    const Bearing<double> geometry = bearing_of(*bearing);
+    const Lubricant<double> oil(bearing->viscosity);
+    const TransitionTolerances<double> tolerances(contact->e0, contact->e1);
+    const ContactSurface<double> surface{contact->stiffness, contact->restitution};
+    require_contact(surface, contact->impact_speed);
+    with_film_law(law, [&]<class Law>() {
+      for_rows(n, fx, fy, [&](std::size_t i) {
+        return touching_journal_force<Law>(geometry, oil, tolerances, surface, motion_at(*motion, i),
+                                           contact->impact_speed);
+      });
+    });
+  });
+}

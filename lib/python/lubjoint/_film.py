@@ -1,0 +1,144 @@
+"""Films, contact and moments over NumPy arrays, through the C interface."""
+
+import ctypes
+import errno
+import os
+from dataclasses import dataclass
+
+import numpy
+
+_library = ctypes.CDLL(os.path.join(os.path.dirname(__file__), "liblubjoint_c.so"))
+
+
+class _In(ctypes.Structure):
+    _fields_ = [("data", ctypes.c_void_p), ("stride", ctypes.c_ssize_t)]
+
+
+class _BearingStruct(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_double) for name in ("viscosity", "length", "radius", "clearance")]
+
+
+class _ContactStruct(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_double) for name in ("e0", "e1", "stiffness", "restitution", "impact_speed")]
+
+
+class _Motion(ctypes.Structure):
+    _fields_ = [(name, _In) for name in ("ex", "ey", "vx", "vy", "omega_bearing", "omega_journal")]
+
+
+_bearing_pointer = ctypes.POINTER(_BearingStruct)
+_motion_pointer = ctypes.POINTER(_Motion)
+_library.lubjoint_message.restype = ctypes.c_char_p
+_library.lubjoint_version.restype = ctypes.c_char_p
+_library.lubjoint_law_name.restype = ctypes.c_char_p
+_library.lubjoint_law_name.argtypes = [ctypes.c_size_t]
+_library.lubjoint_polar_force.argtypes = [ctypes.c_char_p, _bearing_pointer, ctypes.c_size_t] + 5 * [_In]
+_library.lubjoint_journal_force.argtypes = [ctypes.c_char_p, _bearing_pointer, ctypes.c_size_t, _motion_pointer, _In, _In]
+_library.lubjoint_transition_force.argtypes = [
+    ctypes.c_char_p, _bearing_pointer, ctypes.POINTER(_ContactStruct), ctypes.c_size_t, _motion_pointer, _In, _In]
+_library.lubjoint_joint_moments.argtypes = [ctypes.c_size_t] + 10 * [_In]
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """Bearing and oil: dynamic viscosity [Pa s], length, journal radius and radial clearance [m]."""
+
+    viscosity: float
+    length: float
+    radius: float
+    clearance: float
+
+    def _struct(self):
+        return _BearingStruct(self.viscosity, self.length, self.radius, self.clearance)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Dry contact and the transition to it: 0 < e0 < e1 [m], stiffness [N/m^1.5], restitution in [0, 1], the speed at
+    which the journal last crossed e = c outwards [m/s]."""
+
+    e0: float
+    e1: float
+    stiffness: float
+    restitution: float
+    impact_speed: float
+
+    def _struct(self):
+        return _ContactStruct(self.e0, self.e1, self.stiffness, self.restitution, self.impact_speed)
+
+
+def version():
+    return _library.lubjoint_version().decode()
+
+
+def laws():
+    """Names of the film laws."""
+    names = []
+    while (name := _library.lubjoint_law_name(len(names))) is not None:
+        names.append(name.decode())
+    return names
+
+
+def _check(status):
+    if status == 0:
+        return
+    message = _library.lubjoint_message().decode()
+    if status == errno.ENOMEM:
+        raise MemoryError(message)
+    if status == errno.ERANGE:
+        raise OverflowError(message)
+    raise ValueError(message)
+
+
+class _Batch:
+    """Arrays of one shape, and the places where the answers go."""
+
+    def __init__(self, inputs, out):
+        arrays = [numpy.asarray(x, dtype=numpy.float64) for x in inputs]
+        self.shape = numpy.broadcast_shapes(*(a.shape for a in arrays))
+        if len(self.shape) > 1:
+            raise ValueError(f"arrays of shape {self.shape}; allowed are numbers and one-dimensional arrays")
+        self.count = self.shape[0] if self.shape else 1
+        self._kept = [numpy.broadcast_to(a, (self.count,)) for a in arrays]  # a view: stride 0 for a number
+        self.inputs = [_In(a.ctypes.data, a.strides[0]) for a in self._kept]
+        if out is None:
+            out = (numpy.empty(self.count), numpy.empty(self.count))
+        for array in out:
+            if array.dtype != numpy.float64 or array.shape != (self.count,) or not array.flags.writeable:
+                raise ValueError(f"out is of shape {array.shape} and type {array.dtype}; "
+                                 f"required are writeable float64 arrays of shape {(self.count,)}")
+        self._out = out
+        self.outputs = [_In(a.ctypes.data, a.strides[0]) for a in out]
+
+    def answers(self):
+        return tuple(self._out) if self.shape else tuple(float(a[0]) for a in self._out)
+
+
+def polar_force(law, bearing, eccentricity_ratio, slip_rate, squeeze_rate, out=None):
+    """Radial and tangential force of the film on the journal [N]; slip rate a and squeeze rate b in 1/s."""
+    batch = _Batch([eccentricity_ratio, slip_rate, squeeze_rate], out)
+    _check(_library.lubjoint_polar_force(law.encode(), bearing._struct(), batch.count, *batch.inputs, *batch.outputs))
+    return batch.answers()
+
+
+def journal_force(law, bearing, ex, ey, vx, vy, omega_bearing, omega_journal, out=None):
+    """Force of the film on the journal [N]: fx, fy. Motion in one inertial frame, absolute spins."""
+    batch = _Batch([ex, ey, vx, vy, omega_bearing, omega_journal], out)
+    _check(_library.lubjoint_journal_force(law.encode(), bearing._struct(), batch.count, _Motion(*batch.inputs),
+                                           *batch.outputs))
+    return batch.answers()
+
+
+def transition_force(law, bearing, contact, ex, ey, vx, vy, omega_bearing, omega_journal, out=None):
+    """Force on a journal that may touch the wall [N]: film, blend, dry contact."""
+    batch = _Batch([ex, ey, vx, vy, omega_bearing, omega_journal], out)
+    _check(_library.lubjoint_transition_force(law.encode(), bearing._struct(), contact._struct(), batch.count,
+                                              _Motion(*batch.inputs), *batch.outputs))
+    return batch.answers()
+
+
+def joint_moments(ex, ey, sx_i, sy_i, sx_j, sy_j, fx, fy, out=None):
+    """Moments [N m] about the mass centres of the bearing's and the journal's body, of a force on the journal."""
+    batch = _Batch([ex, ey, sx_i, sy_i, sx_j, sy_j, fx, fy], out)
+    _check(_library.lubjoint_joint_moments(batch.count, *batch.inputs, *batch.outputs))
+    return batch.answers()

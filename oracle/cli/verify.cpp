@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/cli/command.hpp"
+#include "oracle/reports/files.hpp"
+#include "oracle/reports/journal_report.hpp"
+#include "oracle/verify/foreign_program.hpp"
+#include "oracle/verify/report.hpp"
+#include "oracle/verify/trajectory.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+struct VerifyOptions {
+  std::string law;
+  std::string quantities = "cartesian";
+  std::size_t states = 1000;
+  std::uint64_t seed = 1;
+  double timeout = 60;
+  std::string states_out;
+  std::string answers;
+  std::string scene;
+  std::string trajectory;
+  double tolerance = 1e-3;
+  bool list_mistakes = false;
+  bool markdown = false;
+  bool json = false;
+  std::vector<std::string> program;
+};
+
+void check(const VerifyOptions& o) {
+  if (o.law.empty() && o.states_out.empty()) {
+    throw std::invalid_argument("--law is missing; allowed are auto, " + listed_film_laws());
+  }
+  if (!o.law.empty() && o.law != "auto") require_film_law(o.law);
+  require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
+  const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
+  if (ways == 1) return;
+  throw std::invalid_argument(
+      "verify needs one of: --scene FILE --trajectory FILE, -- PROGRAM [ARGS], --answers FILE (with the states of "
+      "--states-out), --states-out FILE");
+}
+
+/// Prints the report; the exit status says the verdict.
+int report(const verify::Verification& result, bool json) {
+  if (json) {
+    std::cout << verify::json_report(result).dump(2) << '\n';
+  } else {
+    std::cout << verify::text_report(result);
+  }
+  switch (result.verdict()) {
+    case verify::Verdict::agrees:
+      return 0;
+    case verify::Verdict::disagrees:
+      return 1;
+    case verify::Verdict::unjudged:
+      break;
+  }
+  return 2;
+}
+
+/// A trajectory against the scene's own, integrated with tolerances far below what is asked for.
+int verify_trajectory(const VerifyOptions& o) {
+  if (o.scene.empty() || o.trajectory.empty()) {
+    throw std::invalid_argument("--scene and --trajectory go together; one of them is missing");
+  }
+  require_option("--tolerance", o.tolerance, o.tolerance > 0, "a distance in clearances above 0");
+  Scene scene = load_scene(o.scene);
+  if (!o.law.empty()) {
+    require_film_law(o.law);
+    for (SceneJoint& joint : scene.joints) joint.film = o.law;
+  }
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = std::clamp(1e-7 * o.tolerance, 1e-12, 1e-10);
+  const std::string given = reports::read_input(o.trajectory);
+  const JournalTrajectory run = simulate_journal(scene);
+  const std::string reference = reports::trajectory_csv(scene, run);
+  bool agrees = true;
+  nlohmann::json joints = nlohmann::json::array();
+  for (const SceneJoint& joint : scene.joints) {
+    const verify::PathComparison c =
+        verify::compare_paths(verify::read_path(reference, "reference", joint.name, joint.clearance),
+                              verify::read_path(given, o.trajectory, joint.name, joint.clearance));
+    agrees = agrees && c.agrees(o.tolerance);
+    joints.push_back({{"name", joint.name},
+                      {"agrees", c.agrees(o.tolerance)},
+                      {"times", c.times},
+                      {"worst_clearances", c.worst},
+                      {"worst_time", c.worst_time},
+                      {"mean_clearances", c.mean},
+                      {"force_error", c.force},
+                      {"delay", c.delay},
+                      {"amplitude", c.amplitude},
+                      {"words", c.agrees(o.tolerance) ? "" : c.words()}});
+    if (o.json) continue;
+    std::cout << fmt::format(
+        "{}: {}: journal within {:.2g} clearances (at {:.4g} s; allowed {:.2g}), mean {:.2g}, force within {:.3g} N, "
+        "at "
+        "{} times\n",
+        joint.name, c.agrees(o.tolerance) ? "agrees" : "disagrees", c.worst, c.worst_time, o.tolerance, c.mean, c.force,
+        c.times);
+    if (!c.agrees(o.tolerance)) std::cout << "  " << c.words() << '\n';
+  }
+  if (o.json) {
+    const nlohmann::json report = {
+        {"verdict", agrees ? "agrees" : "disagrees"}, {"scene", scene.name}, {"joints", joints}};
+    std::cout << report.dump(2) << '\n';
+  }
+  return agrees ? 0 : 1;
+}
+
+/// Says why something could not be judged.
+int refuse(const VerifyOptions& o, const verify::UnjudgedError& error) {
+  if (o.json) {
+    const nlohmann::json refused = {{"verdict", "could not be judged"}, {"message", error.what()}};
+    std::cout << refused.dump(2) << '\n';
+  }
+  std::cerr << "lubjoint: could not be judged: " << error.what() << '\n';
+  return 2;
+}
+
+int run(const VerifyOptions& o) {
+  if (o.list_mistakes) {
+    std::cout << (o.markdown ? verify::gallery_markdown() : verify::described_gallery());
+    return 0;
+  }
+  if (!o.scene.empty() || !o.trajectory.empty()) {
+    try {
+      return verify_trajectory(o);
+    } catch (const verify::UnjudgedError& error) {
+      return refuse(o, error);
+    }
+  }
+  check(o);
+  const verify::Quantities quantities = verify::quantities_of(o.quantities);
+  std::vector<verify::State> states = verify::states_to_verify(quantities, o.states, o.seed);
+  if (!o.states_out.empty()) {
+    const std::string csv = verify::states_csv(quantities, states);
+    if (o.states_out == "-") {
+      std::cout << csv;
+    } else {
+      reports::write_file(o.states_out, csv);
+    }
+    return 0;
+  }
+  try {
+    const bool from_file = !o.answers.empty();
+    const std::string text = from_file ? reports::read_input(o.answers)
+                                       : verify::run_program(o.program, verify::states_csv(quantities, states),
+                                                             std::chrono::duration<double>(o.timeout));
+    const std::string name = !from_file         ? "answers of \"" + o.program[0] + "\""
+                             : o.answers == "-" ? "standard input"
+                                                : o.answers;
+    verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
+    return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers)), o.json);
+  } catch (const verify::UnjudgedError& error) {
+    return refuse(o, error);
+  }
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Action& action) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand("verify", "Is another implementation right, and if not, what is its mistake?");
+  command->add_option("--law", options->law, "Film law that it claims, or auto: find out");
+  command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");
+  command->add_option("--states", options->states, "Random states beside the designed ones")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
+  command->add_option("--seed", options->seed, "Seed of the random states");
+  command->add_option("--timeout", options->timeout, "Seconds that the program may take");
+  command->add_option("--states-out", options->states_out, "Write the states to this file and do no more; - is stdout");
+  command->add_option("--answers", options->answers,
+                      "Judge the answers in this file; --quantities, --states and --seed as for --states-out");
+  command->add_option("--scene", options->scene, "Scene file whose trajectory is judged, with --trajectory");
+  command->add_option("--trajectory", options->trajectory, "CSV with t, JOINT.ex, JOINT.ey [m] and JOINT.fx, JOINT.fy");
+  command->add_option("--tolerance", options->tolerance, "Of a trajectory [clearances]");
+  command->add_flag("--list-mistakes", options->list_mistakes, "Describe the known mistakes and do no more");
+  command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
+  command->add_flag("--json", options->json, "One JSON object");
+  command->add_option("program", options->program, "-- PROGRAM [ARGS]: reads states, writes answers, both CSV");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace lubjoint::cli

@@ -1,0 +1,122 @@
+#include "oracle/verify/c/lubjoint_verify.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "oracle/verify/report.hpp"
+
+namespace {
+
+using namespace lubjoint::verify;
+
+thread_local char message[1024] = "";
+
+void say(const char* text) noexcept {
+  std::strncpy(message, text, sizeof message - 1);
+  message[sizeof message - 1] = '\0';
+}
+
+template <class Work>
+int guarded(const Work& work) noexcept {
+  try {
+    work();
+    return 0;
+  } catch (const std::bad_alloc&) {
+    say("no memory");
+    return ENOMEM;
+  } catch (const std::exception& error) {
+    say(error.what());
+    return EINVAL;
+  }
+}
+
+Quantities named(const char* quantities) {
+  if (quantities == nullptr) throw std::invalid_argument("quantities is a null pointer");
+  return quantities_of(quantities);
+}
+
+template <class Names>
+const char* joined(std::map<Quantities, std::string>& kept, const char* quantities, const Names& names) noexcept {
+  const char* result = nullptr;
+  guarded([&] {
+    const Quantities kind = named(quantities);
+    std::string& text = kept[kind];
+    if (text.empty()) {
+      for (const std::string_view name : names(kind)) text.append(text.empty() ? "" : ",").append(name);
+    }
+    result = text.c_str();
+  });
+  return result;
+}
+
+char* copied(const std::string& text) {
+  char* copy = static_cast<char*>(std::malloc(text.size() + 1));
+  if (copy == nullptr) throw std::bad_alloc();
+  std::memcpy(copy, text.c_str(), text.size() + 1);
+  return copy;
+}
+
+}  // namespace
+
+const char* lubjoint_verify_message(void) { return message; }
+
+const char* lubjoint_verify_state_columns(const char* quantities) {
+  thread_local std::map<Quantities, std::string> kept;
+  return joined(kept, quantities, [](Quantities kind) {
+    std::vector<std::string_view> names;
+    for (const StateColumn& column : state_columns(kind)) names.push_back(column.name);
+    return names;
+  });
+}
+
+const char* lubjoint_verify_answer_columns(const char* quantities) {
+  thread_local std::map<Quantities, std::string> kept;
+  return joined(kept, quantities, [](Quantities kind) { return answer_columns(kind); });
+}
+
+int lubjoint_verify_count(const char* quantities, size_t random, uint64_t, size_t* count) {
+  return guarded([&] {
+    if (count == nullptr) throw std::invalid_argument("count is a null pointer");
+    *count = designed_states(named(quantities)).size() + random;
+  });
+}
+
+int lubjoint_verify_states(const char* quantities, size_t random, uint64_t seed, double* out) {
+  return guarded([&] {
+    if (out == nullptr) throw std::invalid_argument("out is a null pointer");
+    const Quantities kind = named(quantities);
+    const std::vector<State> states = states_to_verify(kind, random, seed);
+    for (const StateColumn& column : state_columns(kind)) {
+      for (const State& state : states) *out++ = state.*column.value;
+    }
+  });
+}
+
+int lubjoint_verify_judge(const char* law, const char* quantities, size_t random, uint64_t seed, const double* answers,
+                          int* verdict, char** text, char** json) {
+  return guarded([&] {
+    if (law == nullptr) throw std::invalid_argument("law is a null pointer");
+    if (answers == nullptr) throw std::invalid_argument("answers is a null pointer");
+    if (verdict == nullptr) throw std::invalid_argument("verdict is a null pointer");
+    const Quantities kind = named(quantities);
+    std::vector<State> states = states_to_verify(kind, random, seed);
+    const std::size_t columns = answer_columns(kind).size();
+    std::vector<Answer> values(states.size(), Answer{});
+    for (std::size_t k = 0; k < columns; ++k) {
+      for (Answer& value : values) value[k] = *answers++;
+    }
+    const Verification result =
+        verify_answers(kind, law, std::move(states), answers_from_numbers(std::move(values), columns));
+    const std::string words = text ? text_report(result) : std::string();
+    const std::string object = json ? json_report(result).dump() : std::string();
+    *verdict = static_cast<int>(result.verdict());
+    if (text) *text = copied(words);
+    if (json) *json = copied(object);
+  });
+}
+
+void lubjoint_verify_free(char* report) { std::free(report); }

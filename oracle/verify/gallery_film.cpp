@@ -1,0 +1,212 @@
+// Mistakes in the film laws themselves: cavitation, brackets, exponents, the wrong law.
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/verify/gallery.hpp"
+
+namespace lubjoint::verify {
+
+namespace {
+
+bool pinkus_sternlicht(Quantities, Law law) { return law == Law::pinkus_sternlicht; }
+bool half(Quantities, Law law) { return is_half(law); }
+bool full(Quantities, Law law) { return is_full(law); }
+bool polynomial(Quantities, Law law) { return !is_dynamic(law) && law != Law::pinkus_sternlicht; }
+bool short_polynomial(Quantities q, Law law) { return is_short(law) && polynomial(q, law); }
+bool long_polynomial(Quantities q, Law law) { return !is_short(law) && polynomial(q, law); }
+bool long_closed(Quantities, Law law) { return !is_short(law) && !is_dynamic(law); }
+
+/// Pinkus and Sternlicht's φ written anew. @param phi  from K, B and the sign of b
+template <class Phi>
+void set_phi(Solution& s, Real k, const Phi& phi) {
+  const Real q = s.q(), q12 = std::sqrt(q);
+  const Real big_b = s.ratio * std::abs(s.b);
+  const Real value = k == 0 && big_b == 0 ? Real(1) : phi(k, big_b);
+  s.radial_wedge = -24 * s.ratio * k / (s.d() * q * q12);
+  s.radial_squeeze = -6 * pi<Real>() * s.b * value / (q * q12);
+  s.tangential_wedge = 6 * pi<Real>() * s.a * value / (s.d() * q12);
+}
+
+Real resultant(const Solution& s) { return std::sqrt(s.q() * (s.a * s.a / 4 + s.b * s.b)); }
+
+template <Law other>
+void use_law(Solution& s) {
+  s.law = other;
+}
+template <Law other>
+bool is_not(Quantities, Law law) {
+  return law != other;
+}
+
+/// H = 1 − ε cosθ with the rest unchanged is the law at −ε, and F(−ε, a, b) = −F(ε, −a, −b).
+void negate_ratio(Solution& s) {
+  s.a = -s.a;
+  s.b = -s.b;
+  s.pulls = !s.pulls;
+}
+
+}  // namespace
+
+std::vector<Mistake> film_mistakes() {
+  using S = Solution;
+  return {
+      {"separating_bracket_sign",
+       "For ε̇ < 0 the bracket of Pinkus and Sternlicht's radial force has −4kε² as printed, not +4kε²",
+       "Wrong in the radial force for b < 0, where it jumps at b = 0",
+       pinkus_sternlicht,
+       {{Step::terms,
+         [](S& s) {
+           if (s.b < 0) s.radial_wedge = -s.radial_wedge;
+         }}}},
+      {"closing_factor_for_both_signs",
+       "(k + 3)/(k + 3/2) is used for ε̇ < 0, too",
+       "Wrong for b < 0, most as ε → 1",
+       pinkus_sternlicht,
+       {{Step::terms,
+         [](S& s) { set_phi(s, resultant(s), [](Real k, Real b) { return (k + 3 * b) / (k + 1.5L * b); }); }}}},
+      {"opening_factor_for_both_signs",
+       "k/(k + 3/2) is used for ε̇ > 0, too",
+       "Wrong for b > 0, most as ε → 1",
+       pinkus_sternlicht,
+       {{Step::terms, [](S& s) { set_phi(s, resultant(s), [](Real k, Real b) { return k / (k + 1.5L * b); }); }}}},
+      {"factors_of_the_signs_swapped",
+       "The forms for ε̇ > 0 and ε̇ < 0 are exchanged",
+       "Wrong wherever ε̇ ≠ 0",
+       pinkus_sternlicht,
+       {{Step::terms,
+         [](S& s) {
+           const bool opens = s.b < 0;
+           set_phi(s, resultant(s), [=](Real k, Real b) { return (opens ? k + 3 * b : k) / (k + 1.5L * b); });
+         }}}},
+      {"k_without_one_minus_ratio_squared",
+       "k² = ((ω − 2γ̇)/(2ε̇))² + 1/ε², without the factor 1 − ε²",
+       "Right at the centre, wrong as ε → 1",
+       pinkus_sternlicht,
+       {{Step::terms,
+         [](S& s) {
+           const bool opens = s.b < 0;
+           set_phi(s, std::sqrt(s.a * s.a / 4 + s.b * s.b),
+                   [=](Real k, Real b) { return (opens ? k : k + 3 * b) / (k + 1.5L * b); });
+         }}}},
+      {"k_without_factor_2",
+       "k² = (1 − ε²)[((ω − 2γ̇)/ε̇)² + 1/ε²], the 2 below the spin forgotten",
+       "Right in pure squeeze, wrong in the wedge's radial force",
+       pinkus_sternlicht,
+       {{Step::terms,
+         [](S& s) {
+           const bool opens = s.b < 0;
+           set_phi(s, std::sqrt(s.q() * (s.a * s.a + s.b * s.b)),
+                   [=](Real k, Real b) { return (opens ? k : k + 3 * b) / (k + 1.5L * b); });
+         }}}},
+      {"pressure_at_half_turn",
+       "The full film's pressure is cut at θ = π, where it is not zero (p(π) ≠ 0)",
+       "Wrong wherever there is squeeze, even at the centre: a tangential force answers a radial velocity",
+       [](Quantities, Law law) { return law == Law::long_half; },
+       {{Step::rates, use_law<Law::long_half_eq5>}}},
+      {"half_film_not_halved",
+       "The half film's force is not halved, or both halves are counted",
+       "Twice the force",
+       half,
+       {{Step::film, [](S& s) { s.radial *= 2, s.tangential *= 2; }}}},
+      {"full_film_halved",
+       "The full film's force is halved, as if half of the film carried pressure symmetrically",
+       "Half the force",
+       full,
+       {{Step::film, [](S& s) { s.radial /= 2, s.tangential /= 2; }}}},
+      {"wedge_on_radial_left_out",
+       "The wedge's radial force, which only a cavitated film has, is left out",
+       "Pure wedge gives no radial force; the attitude angle is 90° at any load",
+       [](Quantities, Law law) { return is_half(law) || law == Law::pinkus_sternlicht; },
+       {{Step::terms, [](S& s) { s.radial_wedge = 0; }}}},
+      {"squeeze_on_tangential_left_out",
+       "The squeeze's tangential force of the half film is left out",
+       "Wrong in the tangential force where there is squeeze",
+       half,
+       {{Step::terms, [](S& s) { s.tangential_squeeze = 0; }}}},
+      {"squeeze_exponent",
+       "The power of 1 − ε² below the squeeze term is one too small (3/2 for 5/2, 1/2 for 3/2)",
+       "Right at the centre, too small as ε → 1",
+       polynomial,
+       {{Step::terms, [](S& s) { s.radial_squeeze *= s.q(); }}}},
+      {"wedge_exponent",
+       "The power of 1 − ε² below the wedge's tangential force is one too large",
+       "Right at the centre, too large as ε → 1",
+       polynomial,
+       {{Step::terms, [](S& s) { s.tangential_wedge /= s.q(); }}}},
+      {"root_left_out",
+       "√(1 − ε²) is left out of the wedge's tangential force",
+       "Right at the centre, too small as ε → 1",
+       polynomial,
+       {{Step::terms, [](S& s) { s.tangential_wedge *= std::sqrt(s.q()); }}}},
+      {"one_plus_ratio_squared",
+       "1 + ε² instead of 1 + 2ε² in the short film's squeeze term",
+       "Right at the centre, too small by up to a third as ε → 1",
+       short_polynomial,
+       {{Step::terms, [](S& s) { s.radial_squeeze *= (1 + s.ratio * s.ratio) / (1 + 2 * s.ratio * s.ratio); }}}},
+      {"two_plus_ratio",
+       "2 + ε instead of 2 + ε² in the long film's wedge terms",
+       "Wrong in the middle, right at ε = 0 and 1",
+       long_polynomial,
+       {{Step::terms,
+         [](S& s) {
+           s.radial_wedge *= s.d() / (2 + s.ratio);
+           s.tangential_wedge *= s.d() / (2 + s.ratio);
+         }}}},
+      {"two_plus_ratio_squared_left_out",
+       "2 instead of 2 + ε² in the long film's wedge terms",
+       "Right at the centre, too large by up to a half as ε → 1",
+       long_closed,
+       {{Step::terms,
+         [](S& s) {
+           s.radial_wedge *= s.d() / 2;
+           s.tangential_wedge *= s.d() / 2;
+         }}}},
+      {"film_thickness_sign",
+       "h = c(1 − ε cosθ) with θ still from the maximum film in the rest of the formulas",
+       "The terms that are odd in ε have the wrong sign; a full film shows nothing",
+       [](Quantities, Law law) { return !is_full(law); },
+       {{Step::rates, negate_ratio}}},
+      {"law_short_full",
+       "The law is short_full",
+       "Another law: see its formula",
+       is_not<Law::short_full>,
+       {{Step::rates, use_law<Law::short_full>}}},
+      {"law_short_half",
+       "The law is short_half",
+       "Another law: see its formula",
+       is_not<Law::short_half>,
+       {{Step::rates, use_law<Law::short_half>}}},
+      {"law_short_dynamic",
+       "The law is short_dynamic",
+       "Another law: see its formula",
+       is_not<Law::short_dynamic>,
+       {{Step::rates, use_law<Law::short_dynamic>}}},
+      {"law_long_full",
+       "The law is long_full",
+       "Another law: see its formula",
+       is_not<Law::long_full>,
+       {{Step::rates, use_law<Law::long_full>}}},
+      {"law_long_half",
+       "The law is long_half",
+       "Another law: see its formula",
+       is_not<Law::long_half>,
+       {{Step::rates, use_law<Law::long_half>}}},
+      {"law_long_half_eq5",
+       "The law is long_half_eq5",
+       "Another law: see its formula",
+       is_not<Law::long_half_eq5>,
+       {{Step::rates, use_law<Law::long_half_eq5>}}},
+      {"law_long_dynamic",
+       "The law is long_dynamic",
+       "Another law: see its formula",
+       is_not<Law::long_dynamic>,
+       {{Step::rates, use_law<Law::long_dynamic>}}},
+      {"law_pinkus_sternlicht",
+       "The law is pinkus_sternlicht",
+       "Another law: see its formula",
+       is_not<Law::pinkus_sternlicht>,
+       {{Step::rates, use_law<Law::pinkus_sternlicht>}}},
+  };
+}
+
+}  // namespace lubjoint::verify

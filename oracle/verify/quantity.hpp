@@ -1,0 +1,80 @@
+/// What a foreign program is asked for: columns of the states it gets and of the answers it gives.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lubjoint::verify {
+
+/// cartesian: force from the motion in x and y.  polar: radial and tangential force from ε and rates.
+/// wrench: cartesian, and the moments about the mass centres.  transition: cartesian, with film and dry contact.
+/// extent: where the film carries pressure, θs and θe.  pressure: at a place (θ, z), zero outside the film.
+enum class Quantities { cartesian, polar, wrench, transition, extent, pressure };
+
+inline constexpr std::array<std::string_view, 6> quantities_names = {"cartesian",  "polar",  "wrench",
+                                                                     "transition", "extent", "pressure"};
+
+/// True where states are given by ε and rates.
+constexpr bool is_polar(Quantities q) {
+  return q == Quantities::polar || q == Quantities::extent || q == Quantities::pressure;
+}
+
+/// @throws std::invalid_argument that lists what there is
+Quantities quantities_of(std::string_view name);
+std::string_view name_of(Quantities quantities);
+
+/// Everything that a state may say; a kind of quantities uses some of it. SI units, angles in radians.
+struct State {
+  double viscosity = 0;
+  double length = 0;
+  double radius = 0;
+  double clearance = 0;
+  double omega_bearing = 0;
+  double omega_journal = 0;
+  double ex = 0;
+  double ey = 0;
+  double vx = 0;
+  double vy = 0;
+  double eccentricity_ratio = 0;
+  double squeeze_rate = 0;
+  double omega = 0;          ///< ω_J − ω_B
+  double attitude_rate = 0;  ///< γ̇ relative to the bearing
+  double sx_i = 0;           ///< arm from the mass centre of the bearing's body to the bearing's centre
+  double sy_i = 0;
+  double sx_j = 0;  ///< arm from the mass centre of the journal's body to the journal's centre
+  double sy_j = 0;
+  double e0 = 0;
+  double e1 = 0;
+  double contact_stiffness = 0;
+  double restitution = 0;
+  double impact_speed = 0;
+  double theta = 0;  ///< from the maximum film, counter-clockwise
+  double z = 0;      ///< axial, from the middle
+};
+
+/// One column of the states.
+struct StateColumn {
+  std::string_view name;
+  double State::*value;
+};
+
+/// Columns after `id`, in the order in which they are written.
+const std::vector<StateColumn>& state_columns(Quantities quantities);
+
+inline constexpr std::size_t most_answers = 4;
+
+/// Columns of the answers after `id`; forces first.
+const std::vector<std::string_view>& answer_columns(Quantities quantities);
+
+/// The states as CSV, ids from 1; numbers are the shortest that read back as the same double.
+std::string states_csv(Quantities quantities, const std::vector<State>& states);
+
+/// One state as the row of states_csv.
+std::string state_row(Quantities quantities, const State& state, std::size_t id);
+/// Names of the columns with `id`, comma-separated.
+std::string state_header(Quantities quantities);
+
+}  // namespace lubjoint::verify

@@ -1,0 +1,28 @@
+/// The states that an implementation is asked about.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "oracle/verify/quantity.hpp"
+
+namespace lubjoint::verify {
+
+/// Where implementations go wrong in different ways. A state is of the first regime, in this order, that it fits:
+/// contact: |e| > c;  near_concentric: ε < 0.05;  thin_film: ε > 0.9;  separating: b < 0;  reversing: a < 0;  moderate.
+enum class Regime { contact, near_concentric, thin_film, separating, reversing, moderate };
+inline constexpr std::array<std::string_view, 6> regime_names = {"contact",    "near-concentric", "thin film",
+                                                                 "separating", "reversing",       "moderate"};
+
+Regime regime_of(Quantities quantities, const State& state);
+
+/// Designed states: every combination of ε from the centre to 0.9999, signs and zeros of a and b, the seams of the
+/// transition, rest. All numbers are exact in single precision, so that a program in single precision gets the same
+/// states. Where a film jumps (a = 0 with the half films), a is zero in any order of operations, or far from zero.
+std::vector<State> designed_states(Quantities quantities);
+
+/// The designed states and as many seeded random ones; the same on every machine.
+std::vector<State> states_to_verify(Quantities quantities, std::size_t random, std::uint64_t seed);
+
+}  // namespace lubjoint::verify

@@ -1,0 +1,78 @@
+"""The Python package, used as a user would; run by tests/python_package.sh in a fresh environment."""
+
+import sys
+import time
+
+import numpy
+
+import lubjoint
+
+sys.path.insert(0, sys.argv[1])
+import pinkus_sternlicht  # noqa: E402  the example beside this file
+
+
+def force(wrong):
+    return lambda **state: pinkus_sternlicht.force(*state.values(), wrong=wrong)
+
+
+def short_full(viscosity, length, radius, clearance, eccentricity_ratio, squeeze_rate, omega, attitude_rate):
+    q = 1 - eccentricity_ratio**2
+    a = eccentricity_ratio * (omega - 2 * attitude_rate)
+    scale = viscosity * radius * length**3 / clearance**2
+    radial = -scale * numpy.pi * squeeze_rate * (1 + 2 * eccentricity_ratio**2) / q**2.5
+    return radial, scale * numpy.pi * a / (2 * q**1.5)
+
+
+# Verification: scalar and vectorized functions, right and wrong, the law found.
+assert lubjoint.verify(force(False), law="pinkus_sternlicht", vectorized=False)
+report = lubjoint.verify(force(True), law="pinkus_sternlicht", vectorized=False)
+assert not report and report["mistakes"][0]["names"] == ["inertial_attitude_rate"], report
+assert "Worst state" in str(report)
+report = lubjoint.verify(short_full, quantities="polar")
+assert report and report["law"] == "short_full", report
+report = lubjoint.verify(lambda radius, **rest: short_full(radius=2 * radius, **rest), "short_full", "polar")
+assert report["mistakes"][0]["names"] == ["diameter_for_radius"], report
+try:
+    lubjoint.verify(short_full, law="short", quantities="polar")
+    raise AssertionError("an unknown law must be refused")
+except ValueError as error:
+    assert "short_half" in str(error)
+
+# Batch evaluation: numbers, arrays, strided views, no copy.
+bearing = lubjoint.Bearing(viscosity=0.04, length=0.04, radius=0.01, clearance=2e-4)
+table = numpy.random.default_rng(1).uniform(0, 0.9, (3, 1000))
+radial, tangential = lubjoint.polar_force("short_half", bearing, *table)
+strided = numpy.ascontiguousarray(table.T)
+again = lubjoint.polar_force("short_half", bearing, strided[:, 0], strided[:, 1], strided[:, 2])
+assert (again[0] == radial).all() and (again[1] == tangential).all()
+one = lubjoint.polar_force("short_half", bearing, *map(float, table[:, 7]))
+assert one == (radial[7], tangential[7])
+out = (numpy.empty(1000), numpy.empty(1000))
+assert lubjoint.polar_force("short_half", bearing, *table, out=out)[0] is out[0] and (out[0] == radial).all()
+fixed = lubjoint.polar_force("short_half", bearing, 0.5, table[1], 2.0)
+assert fixed[0].shape == (1000,)
+for wrong in ({"law": "short"}, {"eccentricity_ratio": 1.5}, {"eccentricity_ratio": numpy.zeros((2, 2))}):
+    arguments = {"law": "short_half", "bearing": bearing, "eccentricity_ratio": 0.5, "slip_rate": 1, "squeeze_rate": 1}
+    try:
+        lubjoint.polar_force(**{**arguments, **wrong})
+        raise AssertionError(f"{wrong} must be refused")
+    except ValueError:
+        pass
+
+# Joint: inside the clearance the film, and its moments about the two mass centres.
+fx, fy = lubjoint.journal_force("long_half", bearing, 1e-4, 0, 0, 1e-3, 0, 50)
+moments = lubjoint.joint_moments(1e-4, 0, 0.1, 0, -0.1, 0, fx, fy)
+assert numpy.allclose(moments, (-(0.1 + 1e-4) * fy, -0.1 * fy), rtol=1e-15)  # rounding
+contact = lubjoint.Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, impact_speed=0.1)
+assert lubjoint.transition_force("long_half", bearing, contact, 3e-4, 0, 0, 0, 0, 0)[0] < 0
+assert len(lubjoint.laws()) == 8
+
+if "--cost" in sys.argv:
+    many = numpy.random.default_rng(1).uniform(0, 0.9, (3, 1_000_000))
+    for law in lubjoint.laws():
+        times = []
+        for _ in range(7):
+            begin = time.perf_counter()
+            lubjoint.polar_force(law, bearing, *many)
+            times.append(time.perf_counter() - begin)
+        print(f"{law:20} {sorted(times)[3] * 1e3:8.2f} ns a state")

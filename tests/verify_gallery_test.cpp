@@ -1,0 +1,191 @@
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+#include "oracle/verify/single_precision.hpp"
+#include "support/verify_answers.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::verify;
+using namespace lubjoint::test;
+
+namespace {
+
+std::string first_suspicion(const Verification& v) {
+  if (!v.diagnosis || v.diagnosis->suspicions.empty()) return "nothing";
+  std::string names;
+  for (const Mistake* m : v.diagnosis->suspicions[0].mistakes) names += std::string(m->name) + " ";
+  return names;
+}
+
+void check_all_mistakes(Quantities quantities) {
+  const std::vector<State> states = states_to_verify(quantities, 60, 5);
+  for (const std::string_view law : film_law_names) {
+    if (quantities == Quantities::pressure && law == "pinkus_sternlicht") continue;
+    for (const Mistake* mistake : mistakes_for(quantities, law_of(law))) {
+      INFO(law << " with " << mistake->name);
+      const Verification v =
+          verified(quantities, law, states, mistaken_answers(quantities, law_of(law), states, {mistake}));
+      REQUIRE(v.verdict() == Verdict::disagrees);
+      INFO("taken for " << first_suspicion(v));
+      REQUIRE(!v.diagnosis->suspicions.empty());
+      CHECK(v.diagnosis->suspicions[0].names({mistake}));
+      CHECK(v.diagnosis->suspicions[0].explains_all());
+    }
+  }
+}
+
+/// Shares of seeded random pairs that are named.
+void check_pairs(Quantities quantities, int each) {
+  const std::vector<State> states = states_to_verify(quantities, 60, 5);
+  std::mt19937 generator(11);
+  int tried = 0;
+  int named = 0;
+  for (const std::string_view law : film_law_names) {
+    const auto known = mistakes_for(quantities, law_of(law));
+    for (int i = 0; i < each; ++i) {
+      const Mistake* first = known[generator() % known.size()];
+      const Mistake* second = known[generator() % known.size()];
+      if (first > second) std::swap(first, second);
+      if (first == second) continue;
+      const Verification v =
+          verified(quantities, law, states, mistaken_answers(quantities, law_of(law), states, {first, second}));
+      if (v.verdict() != Verdict::disagrees) continue;  // two signs that cancel
+      const auto& found = v.diagnosis->suspicions;
+      // One mistake that does what both do is as good an answer: the other is then without effect.
+      if (!found.empty() && found[0].explains_all() && found[0].mistakes.size() == 1) continue;
+      ++tried;
+      if (!found.empty() && found[0].names({first, second})) ++named;
+    }
+  }
+  INFO(named << " of " << tried << " pairs");
+  CHECK(tried >= 4 * each);
+  CHECK(named >= 0.9 * tried);
+}
+
+}  // namespace
+
+TEST_CASE("gallery: every mistake in Cartesian forces is caught and named first, for every law") {
+  check_all_mistakes(Quantities::cartesian);
+}
+TEST_CASE("gallery: every mistake in polar forces is caught and named first, for every law") {
+  check_all_mistakes(Quantities::polar);
+}
+TEST_CASE("gallery: every mistake in wrenches is caught and named first, for every law") {
+  check_all_mistakes(Quantities::wrench);
+}
+TEST_CASE("gallery: every mistake in the transition is caught and named first, for every law") {
+  check_all_mistakes(Quantities::transition);
+}
+
+TEST_CASE("gallery: every mistake that moves the film's ends is caught and named first, for every law") {
+  check_all_mistakes(Quantities::extent);
+}
+TEST_CASE("gallery: every mistake that changes a pressure is caught and named first, for every law that has one") {
+  check_all_mistakes(Quantities::pressure);
+}
+
+TEST_CASE("gallery: pairs of mistakes are named in at least nine cases of ten") {
+  check_pairs(Quantities::cartesian, 5);
+  check_pairs(Quantities::polar, 4);
+  check_pairs(Quantities::wrench, 3);
+  check_pairs(Quantities::transition, 3);
+}
+
+TEST_CASE("gallery: mistakes are named in single precision and from seven printed digits, too") {
+  const std::vector<State> states = states_to_verify(Quantities::cartesian, 60, 5);
+  for (const std::string_view law : {"short_half", "short_dynamic", "long_full", "pinkus_sternlicht"}) {
+    int tried = 0, named_in_single = 0, named_in_text = 0;
+    for (const Mistake* mistake : mistakes_for(Quantities::cartesian, law_of(law))) {
+      if (mistake->name == "sign_of_zero_is_zero") continue;  // shows in too few states to be told from others
+      const Answers exact = mistaken_answers(Quantities::cartesian, law_of(law), states, {mistake});
+      const Answers rounded = answers_of(Quantities::cartesian, states, [&](const State& state) {
+        auto answer = solve_with(Quantities::cartesian, law_of(law), state, {mistake}).answer;
+        for (Real& value : answer) value = in_single(static_cast<double>(value));
+        return answer;
+      });
+      const Verification a = verified(Quantities::cartesian, law, states, rounded);
+      const Verification b =
+          verified(Quantities::cartesian, law, states, through_text(Quantities::cartesian, exact, "{:.6e}"));
+      INFO(law << " with " << mistake->name << ", taken for " << first_suspicion(a) << "and " << first_suspicion(b));
+      CHECK(a.verdict() == Verdict::disagrees);
+      CHECK(b.verdict() == Verdict::disagrees);
+      ++tried;
+      if (a.diagnosis && !a.diagnosis->suspicions.empty() && a.diagnosis->suspicions[0].names({mistake}))
+        ++named_in_single;
+      if (b.diagnosis && !b.diagnosis->suspicions.empty() && b.diagnosis->suspicions[0].names({mistake}))
+        ++named_in_text;
+    }
+    INFO(law << ": of " << tried << " mistakes " << named_in_single << " named in single, " << named_in_text
+             << " from seven digits");
+    CHECK(named_in_single >= 0.95 * tried);
+    CHECK(named_in_text >= 0.95 * tried);
+  }
+}
+
+TEST_CASE("gallery: names are unique and every entry says what was done and how it shows") {
+  std::set<std::string_view> names;
+  for (const Mistake& mistake : gallery()) {
+    INFO(mistake.name);
+    CHECK(names.insert(mistake.name).second);
+    CHECK(mistake.description.size() > 10);
+    CHECK(mistake.symptom.size() > 10);
+  }
+  CHECK(gallery().size() >= 25);
+  CHECK_THROWS_WITH(mistake_of("clumsiness"), Catch::Contains("diameter_for_radius"));
+}
+
+TEST_CASE("verify: a mistake of 0.01 % in one term on one branch is caught, whatever the law") {
+  using Shift = Change;
+  const Shift changes[] = {
+      {Step::terms,
+       [](Solution& s) {
+         if (s.b < 0) s.radial_squeeze *= 1.0001L, s.radial_wedge *= 1.0001L;
+       }},
+      {Step::terms,
+       [](Solution& s) {
+         if (s.b > 0) s.tangential_wedge *= 1.0001L;
+       }},
+      {Step::terms,
+       [](Solution& s) {
+         if (s.a < 0) s.tangential_wedge *= 1.0001L;
+       }},
+      {Step::terms,
+       [](Solution& s) {
+         if (s.a > 0 && s.b < 0) s.radial_squeeze *= 0.9999L, s.radial_wedge *= 0.9999L;
+       }},
+  };
+  const std::vector<State> states = states_to_verify(Quantities::cartesian, 200, 1);
+  for (const std::string_view law : film_law_names) {
+    for (const Shift& change : changes) {
+      const Answers exact = answers_of(Quantities::cartesian, states, [&](const State& state) {
+        return solve(Quantities::cartesian, law_of(law), state, std::span(&change, 1)).answer;
+      });
+      const Answers single = answers_of(Quantities::cartesian, states, [&](const State& state) {
+        auto answer = solve(Quantities::cartesian, law_of(law), state, std::span(&change, 1)).answer;
+        for (Real& value : answer) value = in_single(static_cast<double>(value));
+        return answer;
+      });
+      INFO(law << ", change " << (&change - changes));
+      CHECK(!judge(Quantities::cartesian, law_of(law), states, exact).agrees());
+      CHECK(!judge(Quantities::cartesian, law_of(law), states, single).agrees());
+    }
+  }
+}
+
+TEST_CASE("verify: a law is found by its answers, also where the program makes a mistake") {
+  const std::vector<State> states = states_to_verify(Quantities::cartesian, 100, 2);
+  for (const std::string_view law : film_law_names) {
+    INFO(law);
+    const auto right = verified(Quantities::cartesian, "auto", states,
+                                mistaken_answers(Quantities::cartesian, law_of(law), states, {}));
+    CHECK(right.verdict() == Verdict::agrees);
+    CHECK(name_of(right.judgement.law) == law);
+    const Mistake& mistake = mistake_of("inertial_attitude_rate");
+    const auto wrong = verified(Quantities::cartesian, "auto", states,
+                                mistaken_answers(Quantities::cartesian, law_of(law), states, {&mistake}));
+    CHECK(wrong.verdict() == Verdict::disagrees);
+    CHECK(name_of(wrong.judgement.law) == law);
+    CHECK(wrong.diagnosis->suspicions[0].names({&mistake}));
+  }
+}

@@ -1,0 +1,186 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "oracle/verify/foreign_program.hpp"
+#include "support/verify_answers.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::verify;
+using Catch::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status;
+  std::string output;  ///< both streams
+};
+
+/// Runs a line of shell, with $LUBJOINT and $EXAMPLES set.
+Outcome shell(const std::string& line) {
+  const std::string command = "export LUBJOINT='" LUBJOINT_PROGRAM "' EXAMPLES='" LUBJOINT_SOURCE_DIR
+                              "/tests/examples'; { " +
+                              line + "\n} 2>&1";
+  FILE* pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string output;
+  char buffer[4096];
+  for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) output.append(buffer, got);
+  const int status = ::pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+bool have(const std::string& program) { return shell("command -v " + program).status == 0; }
+
+/// A right program whose answers are spoiled by an awk program.
+Outcome spoiled(const std::string& awk, const std::string& options = "") {
+  return shell("\"$LUBJOINT\" verify --law pinkus_sternlicht --states 50 " + options +
+               " -- sh -c 'python3 \"$EXAMPLES\"/pinkus_sternlicht.py | awk -F, \"$1\"' sh '" + awk + "'");
+}
+
+fs::path temporary(const std::string& name) {
+  return fs::temp_directory_path() / ("lubjoint-" + std::to_string(::getpid()) + "-" + name);
+}
+
+}  // namespace
+
+TEST_CASE("verify: the Python example agrees, and its wrong variant is told its mistake") {
+  const Outcome right = shell("\"$LUBJOINT\" verify --law pinkus_sternlicht -- python3 $EXAMPLES/pinkus_sternlicht.py");
+  CHECK(right.status == 0);
+  CHECK_THAT(right.output, Contains("agrees: pinkus_sternlicht"));
+  const Outcome wrong =
+      shell("\"$LUBJOINT\" verify --law pinkus_sternlicht -- python3 $EXAMPLES/pinkus_sternlicht.py wrong");
+  CHECK(wrong.status == 1);
+  CHECK_THAT(wrong.output,
+             Contains("100.0 %  inertial_attitude_rate") && Contains("Worst state") && Contains("expected"));
+}
+
+TEST_CASE("verify: the C example agrees, and its wrong variant is told its mistake") {
+  const fs::path program = temporary("short_half");
+  REQUIRE(shell("cc -O2 $EXAMPLES/short_half.c -o " + program.string() + " -lm").status == 0);
+  const Outcome right = shell("\"$LUBJOINT\" verify --law auto -- " + program.string());
+  CHECK(right.status == 0);
+  CHECK_THAT(right.output, Contains("agrees: short_half (found among all laws)"));
+  const Outcome wrong = shell("\"$LUBJOINT\" verify --law short_half -- " + program.string() + " wrong");
+  CHECK(wrong.status == 1);
+  CHECK_THAT(wrong.output, Contains("100.0 %  half_film_not_mirrored") && Contains("only where the slip rate a < 0"));
+  fs::remove(program);
+}
+
+TEST_CASE("verify: the Octave example agrees, and its wrong variant is told its mistake") {
+  if (!have("octave-cli")) {
+    WARN("skipped: Octave is not installed");
+    return;
+  }
+  CHECK(shell("\"$LUBJOINT\" verify --law long_full -- octave-cli -q $EXAMPLES/long_full.m").status == 0);
+  const Outcome wrong = shell("\"$LUBJOINT\" verify --law long_full -- octave-cli -q $EXAMPLES/long_full.m wrong");
+  CHECK(wrong.status == 1);
+  CHECK_THAT(wrong.output, Contains("diameter_for_radius"));
+}
+
+TEST_CASE("verify: rows in another order, a byte-order mark and carriage returns are fine") {
+  CHECK(spoiled("{ row[NR] = $0 } END { print row[1]; for (i = NR; i > 1; --i) print row[i] }").status == 0);
+  CHECK(spoiled("NR == 1 { printf \"\\357\\273\\277\" } { print $0 \"\\r\" }").status == 0);
+}
+
+TEST_CASE("verify: what can't be judged ends with status 2 and says why") {
+  const auto refused = [](const Outcome& outcome, const std::string& word) {
+    INFO(outcome.output);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.output, Contains(word));
+  };
+  refused(spoiled("NR < 200 { print }"), "the first without an answer has id 199");
+  refused(spoiled("{ print } END { print \"9999,1,1\" }"), "id is \"9999\"");
+  refused(spoiled("{ print } END { print }"), "there twice");
+  refused(spoiled("{ gsub(/\\./, \",\"); print }"), "points in decimals");
+  refused(spoiled("{ gsub(/,/, \";\"); print }"), "column \"id\" is missing");
+  refused(spoiled("NR > 1 { print }"), "is missing");
+  refused(spoiled("NR == 20 { $2 = \"oops\" } { print $1 \",\" $2 \",\" $3 }"), "fx is \"oops\"");
+  refused(spoiled("NR == 20 { $2 = \"nan\" } { print $1 \",\" $2 \",\" $3 }"), "1 of 318 answers are not numbers");
+  refused(spoiled("BEGIN { exit 3 }"), "ended with status 3");
+  const std::string verify = "\"$LUBJOINT\" verify --law short_full ";
+  refused(shell(verify + "-- sh -c 'echo the reason >&2; kill -SEGV $$'"), "signal 11");
+  refused(shell(verify + "-- sh -c 'echo the reason >&2; exit 1'"), "the reason");
+  refused(shell(verify + "--timeout 0.3 -- sleep 20"), "not done after 0.3 s");
+  refused(shell(verify + "-- /no/such/program"), "can't be started");
+  refused(shell(verify + "-- true"), "empty");
+  refused(shell(verify + "--answers /no/such/file"), "/no/such/file");
+  refused(shell(verify), "needs one of");
+  refused(shell("\"$LUBJOINT\" verify --law shorts -- true"), "short_full");
+  refused(shell(verify + "--quantities moments -- true"), "transition");
+}
+
+TEST_CASE("verify: answers that are NaN beside answers that are wrong disagree") {
+  const Outcome outcome =
+      spoiled("NR == 20 { $2 = \"nan\" } NR > 1 { $3 = -$3 } { print $1 \",\" $2 \",\" $3 }", "--json");
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.output, Contains("\"not_numbers\": 1"));
+}
+
+TEST_CASE("verify: a hanging program is stopped with all that it started, in the time given") {
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK_THROWS_AS(run_program({"sh", "-c", "sleep 30 | cat"}, "x\n", std::chrono::duration<double>(0.2)),
+                  UnjudgedError);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+}
+
+TEST_CASE("verify: a program may answer while it still reads, or not read at all") {
+  const std::string much(4'000'000, 'x');
+  CHECK(run_program({"cat"}, much, std::chrono::seconds(60)) == much);
+  CHECK(run_program({"echo", "done"}, much, std::chrono::seconds(60)) == "done\n");
+}
+
+TEST_CASE("verify: states in a file and answers from a file are judged like a program's") {
+  const std::string states = temporary("states.csv").string();
+  const std::string answers = temporary("answers.csv").string();
+  const std::string same = " --quantities cartesian --states 70 --seed 8";
+  REQUIRE(shell("\"$LUBJOINT\" verify --states-out " + states + same).status == 0);
+  REQUIRE(shell("python3 $EXAMPLES/pinkus_sternlicht.py < " + states + " > " + answers).status == 0);
+  CHECK(shell("\"$LUBJOINT\" verify --law pinkus_sternlicht --answers " + answers + same).status == 0);
+  CHECK(shell("\"$LUBJOINT\" verify --law pinkus_sternlicht --answers - < " + answers + same).status == 0);
+  CHECK(shell("\"$LUBJOINT\" verify --law long_half --answers " + answers + same).status == 1);
+  fs::remove(states);
+  fs::remove(answers);
+}
+
+TEST_CASE("verify: a trajectory of a scene is judged, and one of another law is not the same") {
+  const fs::path folder = temporary("run");
+  const std::string scene = LUBJOINT_SOURCE_DIR "/data/scenes/journal.toml";
+  REQUIRE(shell("\"$LUBJOINT\" simulate " + scene + " --out " + folder.string()).status == 0);
+  std::string csv;
+  for (const auto& entry : fs::directory_iterator(folder)) csv = entry.path().string();
+  const std::string verify = "\"$LUBJOINT\" verify --scene " + scene + " --trajectory " + csv;
+  const Outcome same = shell(verify);
+  INFO(same.output);
+  CHECK(same.status == 0);
+  const Outcome other = shell(verify + " --law short_full");
+  INFO(other.output);
+  CHECK(other.status == 1);
+  CHECK_THAT(other.output, Contains("disagrees") && Contains("clearances"));
+  CHECK(shell("\"$LUBJOINT\" verify --scene " + scene).status == 2);
+  CHECK(shell("\"$LUBJOINT\" verify --scene " + scene + " --trajectory " + scene).status == 2);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("verify: data/mistakes.md is what the program says") {
+  std::ifstream file(LUBJOINT_SOURCE_DIR "/data/mistakes.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  CHECK(text.str() == gallery_markdown());
+  CHECK_THAT(shell("\"$LUBJOINT\" verify --list-mistakes").output, Contains("transport_moment_left_out"));
+}
+
+TEST_CASE("verify: 10,000 states through a Python program take less than 3 s", "[.cost]") {
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(shell("\"$LUBJOINT\" verify --law pinkus_sternlicht --states 10000 -- python3 $EXAMPLES/pinkus_sternlicht.py")
+            .status == 0);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(3));
+}
