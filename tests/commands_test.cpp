@@ -266,3 +266,16 @@ TEST_CASE("reproduce: all eight laws agree, and the files that it names are ther
   }
   for (const std::string& name : folder.entries()) CHECK(name.find(".part-") == std::string::npos);
 }
+
+TEST_CASE("simulate: every scene that ships runs to its end") {
+  const std::filesystem::path folder = std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data" / "scenes";
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    INFO(entry.path().string());
+    const ProgramResult result = lubjoint_program({"simulate", entry.path().string(), "--json"});
+    CHECK(result.status == 0);
+    CHECK_THAT(result.out, Catch::Contains("\"status\": \"finished\""));
+    ++scenes;
+  }
+  CHECK(scenes == 9);  // as many as the README and the command line promise
+}

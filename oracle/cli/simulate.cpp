@@ -44,7 +44,7 @@ void add_simulate(CLI::App& app, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       const Scene scene = options->load();
-      journal_scene(scene);  // refuses what is no journal before a folder is made
+      if (is_free_journal(scene)) journal_scene(scene);  // refuses what it can before a folder is made
       if (options->out) reports::prepare_folder(*options->out);
       if (is_free_journal(scene)) {
         const JournalTrajectory run = simulate_journal(scene);
