@@ -142,6 +142,10 @@ Scene read_scene(TableReader root, const std::string& file) {
   for (const TableReader& table : root.tables("constraints")) {
     scene.constraints.push_back(read_constraint(table, scene));
   }
+  if (!root.has("joints") && !root.has("constraints")) {  // a file cut off there would run as free flight
+    root.refuse("joints", "missing, and so is constraints",
+                "at least one [[joints]] or [[constraints]] table, or joints = [] for bodies that fly freely");
+  }
   if (root.has("stabilisation")) scene.stabilisation = read_stabilisation(root.table("stabilisation"));
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene);
