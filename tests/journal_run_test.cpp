@@ -28,7 +28,7 @@ TEST_CASE("journal of Table 1: the two steppers of the Pinkus–Sternlicht run a
   settings.duration = 0.02;
   const auto journal = journal_of_table_1<PinkusSternlicht>();
   const auto implicit = run_journal(journal, settings);
-  const auto explicit_run = run_journal<PinkusSternlicht, Fehlberg78>(journal, settings);
+  const auto explicit_run = run_journal<PinkusSternlicht>(journal, settings, "fehlberg78");
   REQUIRE(implicit.recorder.samples().size() == explicit_run.recorder.samples().size());
   for (std::size_t i = 0; i < implicit.recorder.samples().size(); ++i) {
     const JournalSample& x = implicit.recorder.samples()[i];
@@ -82,7 +82,7 @@ TEST_CASE("trial steps beyond the wall are rejected by both kinds of stepper, an
   CHECK(implicit.recorder.max_eccentricity_ratio() < 1);
   CHECK(implicit.recorder.max_eccentricity_ratio() > 0.9);
   settings.duration = 2e-5;
-  const auto explicit_run = run_journal<ShortFull, Fehlberg78>(journal, settings);
+  const auto explicit_run = run_journal<ShortFull>(journal, settings, "fehlberg78");
   CHECK(explicit_run.outcome.rejected_steps > 0);
   CHECK(explicit_run.recorder.max_eccentricity_ratio() < 1);
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <stdexcept>
 
+#include "choose_integrator.hpp"
 #include "lubjoint/dynamics/journal_run.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
@@ -11,16 +11,34 @@
 namespace lubjoint::detail {
 
 template <FilmLaw Law>
-JournalTrajectory simulate_journal_with(const Scene& scene);
+StiffnessMeasure measure_stiffness(const FreeJournal<Law>& journal, const Scene& scene,
+                                   const JournalState<double>& start) {
+  const RunSettings settings = pilot_settings(scene.run);
+  JournalRun<Law> pilot(journal, scene.joints.front().name, "radau_iia5", settings);
+  const RunOutcome outcome = pilot.run(start);
+  StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0};
+  Eigen::Matrix4d jacobian;
+  for (const JournalSample& sample : pilot.recorder().samples()) {
+    exact_jacobian([&](const auto& y, auto& dydt) { journal.rate(y, dydt); }, sample.state, jacobian);
+    measure.stability_steps += settings.output_interval * spectral_radius(jacobian, {});
+  }
+  return measure;
+}
 
-template <FilmLaw Law, template <std::size_t> class Stepper>
-JournalTrajectory run_journal(const Scene& scene) {
+/// What the generated file of a law instantiates.
+template <FilmLaw Law>
+JournalTrajectory simulate_journal_with(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
   const FreeJournal<Law> journal(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
-  JournalRun<Law, Stepper> run(journal, scene.joints.front().name, scene.run);
   JournalTrajectory result;
   const auto begin = std::chrono::steady_clock::now();
+  IntegratorChoice choice{scene.integrator, ""};
+  if (scene.integrator == automatic_integrator) {
+    choice = choose_integrator(measure_stiffness(journal, scene, parts.start), scene.run.relative_tolerance);
+  }
+  JournalRun<Law> run(journal, scene.joints.front().name, choice.name, scene.run);
   result.outcome = run.run(parts.start);
+  result.outcome.integrator_reason = choice.reason;
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();
   const JournalRecorder& recorder = run.recorder();
@@ -30,15 +48,6 @@ JournalTrajectory run_journal(const Scene& scene) {
   result.max_force = recorder.max_force();
   result.min_film_thickness = parts.bearing.clearance() * (1 - result.max_eccentricity_ratio);
   return result;
-}
-
-/// What the generated file of a law instantiates.
-template <FilmLaw Law>
-JournalTrajectory simulate_journal_with_any(const Scene& scene) {
-  if (scene.integrator == "radau_iia5") return run_journal<Law, ImplicitStepper>(scene);
-  if (scene.integrator == "dopri5") return run_journal<Law, Dopri5>(scene);
-  if (scene.integrator == "fehlberg78") return run_journal<Law, Fehlberg78>(scene);
-  throw std::invalid_argument("there is no integrator \"" + scene.integrator + "\"");
 }
 
 }  // namespace lubjoint::detail

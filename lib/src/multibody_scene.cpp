@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "multibody_simulation.hpp"
 
@@ -110,12 +111,5 @@ PreparedScene prepare(const Scene& scene) {
 }
 
 }  // namespace detail
-
-MultibodyTrajectory simulate_multibody(const Scene& scene) {
-  if (scene.integrator == "radau_iia5") return detail::simulate_multibody_radau(scene);
-  if (scene.integrator == "dopri5") return detail::simulate_multibody_dopri5(scene);
-  if (scene.integrator == "fehlberg78") return detail::simulate_multibody_fehlberg78(scene);
-  throw std::invalid_argument("there is no integrator \"" + scene.integrator + "\"");
-}
 
 }  // namespace lubjoint

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lubjoint/dynamics/steppers.hpp"
+#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/nearest_name.hpp"
 #include "scene_parts.hpp"

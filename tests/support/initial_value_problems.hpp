@@ -21,6 +21,7 @@ struct Logistic {
   static void jacobian(const State& x, Matrix& j, const R&) {
     j << 1 - 2 * x[0], R(0), R(0), -x[1];
   }
+  static void time_slope(const State&, State& slope, const R&) { slope = {R(0), R(0)}; }
   static State exact(const R& t) {
     using std::exp;
     return {1 / (1 + 9 * exp(-t)), 2 / (1 + t)};
@@ -42,6 +43,10 @@ struct Driven {
   static void jacobian(const State& x, Matrix& j, const R& t) {
     using std::cos;
     j << cos(t), R(0), R(0), -4 * t * x[1];
+  }
+  static void time_slope(const State& x, State& slope, const R& t) {
+    using std::sin;
+    slope = {-x[0] * sin(t), -2 * x[1] * x[1]};
   }
   static State exact(const R& t) {
     using std::exp;

@@ -26,9 +26,10 @@ struct FinishedRun {
 };
 
 /// From rest with centres coincident. Every sample of every run is checked: numbers, inside the clearance, in order.
-template <FilmLaw Law, template <std::size_t> class Stepper = ImplicitStepper>
-FinishedRun run_journal(const FreeJournal<Law>& journal, const RunSettings& settings) {
-  JournalRun<Law, Stepper> run(journal, "bearing", settings);
+template <FilmLaw Law>
+FinishedRun run_journal(const FreeJournal<Law>& journal, const RunSettings& settings,
+                        const std::string& method = "radau_iia5") {
+  JournalRun<Law> run(journal, "bearing", method, settings);
   const RunOutcome outcome = run.run({0, 0, 0, 0});
   double before = -1;
   bool sound = true;

@@ -18,32 +18,32 @@ class ComplexShiftSolver {
   void factorise(const Matrix& jacobian, const R& alpha, const R& beta) {
     const auto n = jacobian.rows();
     if constexpr (std::is_floating_point_v<R>) {
-      lu_.compute(System::Identity(n, n) * Number(alpha, beta) - jacobian.template cast<Number>());
+      system_ = -jacobian.template cast<Number>();
+      system_.diagonal().array() += Number(alpha, beta);
     } else {
-      System system(2 * n, 2 * n);
       const Matrix unit = Matrix::Identity(n, n);
-      system << alpha * unit - jacobian, -beta * unit, beta * unit, alpha * unit - jacobian;
-      lu_.compute(system);
+      system_.resize(2 * n, 2 * n);
+      system_ << alpha * unit - jacobian, -beta * unit, beta * unit, alpha * unit - jacobian;
     }
+    lu_.compute(system_);
   }
 
   /// Replaces (r, s) by (x, y).
-  void solve_in_place(Vector& real, Vector& imaginary) const {
+  void solve_in_place(Vector& real, Vector& imaginary) {
     const auto n = real.size();
     if constexpr (std::is_floating_point_v<R>) {
-      Eigen::Matrix<Number, N, 1> right(n);
-      right.real() = real;
-      right.imag() = imaginary;
-      const Eigen::Matrix<Number, N, 1> x = lu_.solve(right);
-      real = x.real();
-      imaginary = x.imag();
+      right_.resize(n);
+      right_.real() = real;
+      right_.imag() = imaginary;
+      x_.noalias() = lu_.solve(right_);
+      real = x_.real();
+      imaginary = x_.imag();
     } else {
-      constexpr int twice = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
-      Eigen::Matrix<R, twice, 1> right(2 * n);
-      right << real, imaginary;
-      const Eigen::Matrix<R, twice, 1> x = lu_.solve(right);
-      real = x.head(n);
-      imaginary = x.tail(n);
+      right_.resize(2 * n);
+      right_ << real, imaginary;
+      x_.noalias() = lu_.solve(right_);
+      real = x_.head(n);
+      imaginary = x_.tail(n);
     }
   }
 
@@ -61,7 +61,9 @@ class ComplexShiftSolver {
   using Number = typename NumberOf<R, built_in>::Type;
   using System = Eigen::Matrix<Number, size, size>;
 
+  System system_;
   Eigen::PartialPivLU<System> lu_;
+  Eigen::Matrix<Number, size, 1> right_, x_;
 };
 
 }  // namespace lubjoint

@@ -24,26 +24,45 @@ void exact_jacobian(const F& f, const std::array<R, N>& x,
 }
 
 /// The same for a number of states that is known when the program runs: columns in groups of Group, so that no
-/// derivative needs memory of its own. Columns from `columns` on are zero.
-template <int Group, class R, class F>
-void exact_jacobian(const F& f, const std::vector<R>& x, std::size_t columns,
-                    Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>& jacobian) {
+/// derivative needs memory of its own. It keeps its work between calls.
+template <int Group, class R>
+class RunTimeJacobian {
+ public:
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, Group, 1>>;
-  const auto n = static_cast<Eigen::Index>(x.size());
-  jacobian.setZero(n, n);
-  std::vector<Dual> seeded(x.begin(), x.end());
-  std::vector<Dual> rate(x.size());
-  for (std::size_t start = 0; start < columns; start += Group) {
-    const std::size_t end = std::min(columns, start + Group);
-    for (std::size_t j = start; j < end; ++j) seeded[j] = Dual(x[j], Group, static_cast<int>(j - start));
-    f(seeded, rate);
-    const auto first = static_cast<Eigen::Index>(start);
-    const auto count = static_cast<Eigen::Index>(end - start);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      jacobian.block(static_cast<Eigen::Index>(i), first, 1, count) = rate[i].derivatives().head(count).transpose();
+  using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// ∂f_i/∂x_j of f(x, dxdt); columns from `columns` on are zero.
+  template <class F>
+  void fill(const F& f, const std::vector<R>& x, std::size_t columns, Matrix& jacobian) {
+    const auto n = static_cast<Eigen::Index>(x.size());
+    jacobian.setZero(n, n);
+    seeded_.assign(x.begin(), x.end());
+    rate_.resize(x.size());
+    for (std::size_t start = 0; start < columns; start += Group) {
+      const std::size_t end = std::min(columns, start + Group);
+      for (std::size_t j = start; j < end; ++j) seeded_[j] = Dual(x[j], Group, static_cast<int>(j - start));
+      f(seeded_, rate_);
+      const auto first = static_cast<Eigen::Index>(start);
+      const auto count = static_cast<Eigen::Index>(end - start);
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        jacobian.block(static_cast<Eigen::Index>(i), first, 1, count) = rate_[i].derivatives().head(count).transpose();
+      }
+      for (std::size_t j = start; j < end; ++j) seeded_[j] = Dual(x[j]);
     }
-    for (std::size_t j = start; j < end; ++j) seeded[j] = Dual(x[j]);
   }
-}
+
+  /// ∂f_i/∂t of f(x, dxdt, t).
+  template <class F>
+  void fill_time_slope(const F& f, const std::vector<R>& x, const R& t, std::vector<R>& slope) {
+    seeded_.assign(x.begin(), x.end());
+    rate_.resize(x.size());
+    f(seeded_, rate_, Dual(t, Group, 0));
+    slope.resize(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) slope[i] = rate_[i].derivatives()(0);
+  }
+
+ private:
+  std::vector<Dual> seeded_, rate_;
+};
 
 }  // namespace lubjoint

@@ -4,8 +4,8 @@
 /// one side, on the other, and sliding, where both sides push the journal back to a = 0 and the tangential force is
 /// whatever keeps it there (Filippov). Every piece is integrated by itself and ends at an event; nothing is smoothed.
 ///
-/// A mode has: dimension; rate(y, dydt) on any scalar, with the time; journal(t, y), the state ê, w that it stands for;
-/// force(t, y); and margins(t, y), which are positive while the mode lasts.
+/// A mode has: dimension; rate(y, dydt, t) on any scalar, and time_slope(t, slope), its partial derivative by the time;
+/// journal(t, y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
 #pragma once
 
 #include <array>
@@ -28,6 +28,7 @@ class SmoothMode {
   void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
     journal_.rate(y, dydt);
   }
+  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }
   JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
   Vector2<double> force(double, const std::array<double, 4>& y) const { return journal_.force(y); }
   std::array<double, 0> margins(double, const std::array<double, 4>&) const { return {}; }
@@ -49,6 +50,7 @@ class SidedMode {
   void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
     journal_.rate(y, dydt, side_);
   }
+  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }
   JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
   Vector2<double> force(double, const std::array<double, 4>& y) const {
     return journal_.joint().force(journal_.film(y), side_);
@@ -86,6 +88,12 @@ class SlidingMode {
     const double load = dot(journal_.drive().load, line_at(t));
     dydt[0] = y[1];
     dydt[1] = spin * spin * y[0] + (film + load) / journal_.inertia();
+  }
+
+  /// The load turns in the frame of the line.
+  void time_slope(double t, std::array<double, 2>& slope) const {
+    const JournalDrive<double>& drive = journal_.drive();
+    slope = {0, drive.mean_spin() * dot(drive.load, perpendicular(line_at(t))) / journal_.inertia()};
   }
 
   JournalState<double> journal(double t, const std::array<double, 2>& y) const {

@@ -38,15 +38,15 @@ class JournalRecorder {
     consider(mode, t, y);
   }
 
-  /// @param dense  state_at is cheap: look inside the step
+  /// @param looks  into so many pieces the step is divided in the search for its extremes
   template <class Mode, class StateAt>
-  void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, bool dense) {
+  void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, std::size_t looks) {
     for (double t = output_time(next_); t <= t_new && t < settings_.duration; t = output_time(++next_)) {
       add(mode, t, state_at(t));
     }
-    const int pieces = dense ? 4 : 1;
-    std::array<double, 5> ratio{};
-    std::array<double, 5> force{};
+    const int pieces = static_cast<int>(std::min<std::size_t>(looks, max_pieces));
+    std::array<double, max_pieces + 1> ratio{};
+    std::array<double, max_pieces + 1> force{};
     for (int i = 0; i <= pieces; ++i) {
       const double t = i == pieces ? t_new : t_old + (t_new - t_old) * i / pieces;
       const auto y = state_at(t);
@@ -84,6 +84,8 @@ class JournalRecorder {
   double max_force() const { return max_force_; }
 
  private:
+  static constexpr std::size_t max_pieces = 4;
+
   double output_time(std::size_t i) const { return static_cast<double>(i) * settings_.output_interval; }
 
   template <class Mode, class State>

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "lubjoint/dynamics/film_modes.hpp"
+#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/dynamics/journal_recorder.hpp"
 #include "lubjoint/dynamics/mode_run.hpp"
-#include "lubjoint/dynamics/steppers.hpp"
 
 namespace lubjoint {
 
@@ -22,12 +22,13 @@ inline std::string number(double value) {
 
 /// Message of a run that could not go on: where it was, and what to change.
 inline std::string stop_message(ModeEnd end, const std::string& joint, double t, const JournalState<double>& y,
-                                const RunSettings& settings) {
+                                const RunSettings& settings, std::string_view method) {
   const std::string where = "stopped at t = " + number(t) + " s: joint \"" + joint + "\" is at eccentricity ratio " +
                             number(std::hypot(y[0], y[1]));
   if (end == ModeEnd::step_limit) {
-    return where + "; the limit of " + std::to_string(settings.max_steps) +
-           " steps is reached: use radau_iia5, or a looser relative_tolerance";
+    return where + "; the limit of " + std::to_string(settings.max_steps) + " steps is reached: " +
+           (is_stiff_integrator(method) ? "a looser relative_tolerance needs fewer"
+                                        : "radau_iia5 needs far fewer where the film is stiff");
   }
   return where +
          "; no step, however short, gives a finite state with eccentricity ratio below 1: the film can't carry "
@@ -43,12 +44,15 @@ double rate_scale(const FreeJournal<Law>& journal) {
 
 }  // namespace detail
 
-/// Runs a free journal. Stepper is ImplicitStepper, Dopri5 or Fehlberg78.
-template <FilmLaw Law, template <std::size_t> class Stepper>
+/// Runs a free journal.
+template <FilmLaw Law>
 class JournalRun {
  public:
-  JournalRun(const FreeJournal<Law>& journal, std::string joint_name, const RunSettings& settings)
-      : journal_(journal), joint_name_(std::move(joint_name)), settings_(settings), recorder_(settings) {}
+  /// @param method  one of method_names
+  JournalRun(const FreeJournal<Law>& journal, std::string joint_name, std::string method, const RunSettings& settings)
+      : journal_(journal), joint_name_(std::move(joint_name)), settings_(settings), recorder_(settings) {
+    outcome_.integrator = std::move(method);
+  }
 
   /// @param start  ê and w at t = 0; a state outside the clearance circle is the caller's error
   RunOutcome run(const JournalState<double>& start) {
@@ -75,19 +79,25 @@ class JournalRun {
   ModeResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
     const double position = settings_.absolute_tolerance;
     const double velocity = position * detail::rate_scale(journal_);
-    std::array<double, Mode::dimension> tolerance{};
-    for (std::size_t i = 0; i < Mode::dimension; ++i) tolerance[i] = i < Mode::dimension / 2 ? position : velocity;
-    Stepper<Mode::dimension> stepper(settings_.relative_tolerance, tolerance);
-    return run_mode(mode, stepper, t_, y, dt_, settings_, outcome_, [&](double a, double b, const auto& state_at) {
-      recorder_.step(mode, a, b, state_at, Stepper<Mode::dimension>::has_dense_output);
-    });
+    constexpr std::size_t n = Mode::dimension;
+    StepTolerance<double, n> tolerance{settings_.relative_tolerance, {}, settings_.relative_tolerance};
+    for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
+    const auto method = make_integrator<n>(outcome_.integrator, tolerance);
+    const std::size_t looks = method->looks_inside();
+    const ModeResult result =
+        ModeRun<Mode>(mode, *method, settings_, outcome_).run(t_, y, dt_, [&](double a, double b, const auto& state_at) {
+          recorder_.step(mode, a, b, state_at, looks);
+        });
+    outcome_.jacobian_evaluations += method->counts().jacobians;
+    outcome_.factorisations += method->counts().factorisations;
+    return result;
   }
 
   template <class Mode, class State>
   void conclude(const Mode& mode, const ModeResult& result, const State& y) {
     if (result.end != ModeEnd::duration_reached) {
       outcome_.status = RunStatus::stopped;
-      outcome_.message = detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_);
+      outcome_.message = detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_, outcome_.integrator);
     }
     recorder_.finish(mode, t_, y);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lubjoint/dynamics/exact_jacobian.hpp"
+#include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/multibody_results.hpp"
 #include "lubjoint/multibody/planar_system.hpp"
 
@@ -18,9 +19,10 @@ struct MechanicalEnergy {
 
 /// y = (q, q̇) and, with a ledger, the work of each term;  ẏ = (q̇, q̈, powers).
 template <class R>
-class MultibodyOde {
+class MultibodyOde final : public OdeSystem<R, run_time_size> {
  public:
   using State = std::vector<R>;
+  using Jacobian = JacobianOf<R, run_time_size>;
   static constexpr int jacobian_group = 6;  ///< columns of the Jacobian a pass: those of a body
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, jacobian_group, 1>>;
 
@@ -44,14 +46,16 @@ class MultibodyOde {
   std::vector<JointMemory<R>>& memory() { return memory_; }
   const std::vector<JointMemory<R>>& memory() const { return memory_; }
 
-  void rate(const State& y, State& dydt, const R& t) {
+  void rate(const State& y, State& dydt, const R& t) override {
     ++evaluations_;
     fill(t, y, dydt, real_);
   }
-
-  void jacobian(const State& y, Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>& j, const R& t) {
-    exact_jacobian<jacobian_group>([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(),
-                                   j);
+  void jacobian(const State& y, Jacobian& j, const R& t) override {
+    derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
+  }
+  void time_slope(const State& y, State& slope, const R& t) override {
+    derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t,
+                                 slope);
   }
 
   /// Everything at a state: joints, multipliers, rows. With the memory given, else the current one.
@@ -77,8 +81,8 @@ class MultibodyOde {
   }
 
  private:
-  template <class T>
-  void fill(const R& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
+  template <class T, class Time>
+  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
     system_.evaluate(t, y.data(), memory_, w);
     const std::size_t n = system_.coordinates();
     for (std::size_t i = 0; i < n; ++i) {
@@ -115,6 +119,7 @@ class MultibodyOde {
   bool has_contact_ = false;
   SystemWorkspace<R> real_;
   SystemWorkspace<Dual> dual_;
+  RunTimeJacobian<jacobian_group, R> derivatives_;
   std::vector<JointMemory<R>> memory_;
   std::size_t evaluations_ = 0;
 };

@@ -10,7 +10,7 @@
 #include "lubjoint/dynamics/multibody_ode.hpp"
 #include "lubjoint/dynamics/multibody_results.hpp"
 #include "lubjoint/dynamics/outcome.hpp"
-#include "lubjoint/dynamics/step_interpolant.hpp"
+#include "lubjoint/dynamics/multibody_step.hpp"
 
 namespace lubjoint {
 
@@ -30,7 +30,7 @@ JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& forc
 template <class R>
 class PeakTracker {
  public:
-  void consider(double value, const R& t, const std::shared_ptr<const StepInterpolant<R>>& step) {
+  void consider(double value, const R& t, const std::shared_ptr<const MultibodyStep<R>>& step) {
     if (at_step_end_ && step != step_) {
       next_ = step;
       at_step_end_ = false;
@@ -50,7 +50,7 @@ class PeakTracker {
   Peak peak(std::size_t pieces, const Quantity& quantity) const {
     if (!known_) return {0, 0};
     Peak best{value_, static_cast<double>(t_)};
-    const auto search = [&](const StepInterpolant<R>& step) {
+    const auto search = [&](const MultibodyStep<R>& step) {
       const R piece = (step.t_new - step.t_old) / static_cast<double>(pieces);
       const double low = static_cast<double>(std::max<R>(step.t_old, t_ - piece) - step.t_old);
       const double high = static_cast<double>(std::min<R>(step.t_new, t_ + piece) - step.t_old);
@@ -69,7 +69,7 @@ class PeakTracker {
   bool known_ = false;
   double value_ = 0;
   R t_{};
-  std::shared_ptr<const StepInterpolant<R>> before_, step_, next_;
+  std::shared_ptr<const MultibodyStep<R>> before_, step_, next_;
   bool at_step_end_ = false;
 };
 
@@ -93,7 +93,7 @@ class MultibodyRecorder {
     start_energy_ = energy.kinetic + energy.potential;
   }
 
-  void step(const std::shared_ptr<const StepInterpolant<R>>& step) {
+  void step(const std::shared_ptr<const MultibodyStep<R>>& step) {
     const std::size_t n = ode_.system().coordinates();
     for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
          t = output_time(++next_)) {
@@ -170,7 +170,7 @@ class MultibodyRecorder {
   template <class Quantity>
   Peak peak(std::size_t tracker, const Quantity& quantity) const {
     std::vector<R> y;
-    return trackers_[tracker].peak(pieces_, [&](const StepInterpolant<R>& step, const R& t) {
+    return trackers_[tracker].peak(pieces_, [&](const MultibodyStep<R>& step, const R& t) {
       step.state_at(t, ode_.system().coordinates(), y);
       return quantity(ode_.at(t, y, step.memory));
     });

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lubjoint/dynamics/contact_events.hpp"
+#include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/multibody_recorder.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 
@@ -19,20 +20,21 @@ enum class ConstraintUpkeep { by_accelerations, by_projection };
 
 /// Contact is followed event by event. The jump of a half film at a = 0 is not: a free journal's run has a mode for
 /// motion that slides on it, this run stops there with a message that says so.
-/// @tparam Stepper  RunTimeRadau<R>, RunTimeDopri5<R> or RunTimeFehlberg78<R>
-template <class R, class Stepper>
+template <class R>
 class MultibodyRun {
  public:
   using State = std::vector<R>;
 
-  /// @param tolerances  of every state, in its own unit
-  MultibodyRun(MultibodyOde<R>& ode, const RunSettings& settings, const State& tolerances, ConstraintUpkeep upkeep)
+  using Method = Integrator<R, run_time_size>;
+
+  /// @param method  with the tolerance of every state in its own unit
+  MultibodyRun(MultibodyOde<R>& ode, const RunSettings& settings, std::unique_ptr<Method> method,
+               ConstraintUpkeep upkeep)
       : ode_(ode),
         settings_(settings),
-        tolerances_(tolerances),
         upkeep_(upkeep),
-        stepper_(R(settings.relative_tolerance), tolerances),
-        recorder_(ode, settings, Stepper::looks_inside) {}
+        method_(std::move(method)),
+        recorder_(ode, settings, method_->looks_inside()) {}
 
   /// @param start  (q, q̇), fulfils the constraints, and every film exists
   RunOutcome run(const State& start) {
@@ -48,16 +50,17 @@ class MultibodyRun {
     recorder_.finish(t_, y_);
     outcome_.t_end = static_cast<double>(t_);
     outcome_.rhs_evaluations = ode_.evaluations();
+    outcome_.jacobian_evaluations = method_->counts().jacobians;
+    outcome_.factorisations = method_->counts().factorisations;
     return outcome_;
   }
 
   const MultibodyRecorder<R>& recorder() const { return recorder_; }
   const std::vector<ContactEvent>& events() const { return events_; }
   const State& state() const { return y_; }
-  const State& tolerances() const { return tolerances_; }
 
  private:
-  using Step = StepInterpolant<R>;
+  using Step = MultibodyStep<R>;
 
   void start_memory() {
     if (!ode_.has_contact()) return;
@@ -97,12 +100,13 @@ class MultibodyRun {
       step->rate_old = rate_;
       step->memory = ode_.memory();
       const R wanted = dt_;
-      const bool last = dt_ >= t_end - t_;
-      if (last) dt_ = t_end - t_;
-      if (!stepper_.try_step(ode_, y_, t_, dt_) || !accept(last)) {
+      const R goal = next_stop(t_end);
+      const bool last = dt_ >= goal - t_;
+      if (last) dt_ = goal - t_;
+      if (!method_->try_step(ode_, y_, t_, dt_) || !accept(last, goal)) {
         if (t_ > step->t_old) {
           dt_ = (t_ - step->t_old) / 2;
-          stepper_.reset();
+          method_->reset();
         }
         t_ = step->t_old;
         y_ = step->y_old;
@@ -124,7 +128,7 @@ class MultibodyRun {
       }
       if (upkeep_ == ConstraintUpkeep::by_projection) {
         project_onto_constraints(ode_.system(), t_, y_, ode_.workspace());
-        stepper_.replace_state(y_);
+        method_->replace_state(y_);
         ode_.rate(y_, rate_, t_);
         close(*step);
       }
@@ -133,12 +137,21 @@ class MultibodyRun {
     t_ = t_end;
   }
 
+  /// The end, or the next output where steps are to end at outputs.
+  R next_stop(const R& t_end) const {
+    if (!settings_.stop_at_outputs) return t_end;
+    const R interval(settings_.output_interval);
+    using std::floor;
+    const R next = (floor(R(t_ / interval * (1 + 4 * std::numeric_limits<double>::epsilon()))) + 1) * interval;
+    return std::min<R>(t_end, R(static_cast<double>(next)));
+  }
+
   /// Every number is one and every film exists at the new state.
-  bool accept(bool last) {
+  bool accept(bool last, const R& goal) {
     for (const R& value : y_) {
       if (!std::isfinite(static_cast<double>(value))) return false;
     }
-    if (last) t_ = R(settings_.duration);
+    if (last) t_ = goal;
     try {
       ode_.rate(y_, rate_, t_);
     } catch (const std::domain_error&) {
@@ -182,7 +195,7 @@ class MultibodyRun {
 
   /// The first seam that a step crosses, looked for inside it as well: a journal may touch and leave within one.
   bool find_event(const Step& step) {
-    const std::size_t pieces = 2 * Stepper::looks_inside;
+    const std::size_t pieces = 2 * method_->looks_inside();
     State y;
     R t_before = step.t_old;
     for (std::size_t i = 1; i <= pieces; ++i) {
@@ -270,13 +283,13 @@ class MultibodyRun {
   }
 
   bool step_to(const R& t_start, const R& t_goal, State& y) {
-    Stepper stepper(R(settings_.relative_tolerance), tolerances_);
+    const auto method = method_->fresh();
     R t = t_start;
     R dt = t_goal - t;
     for (int trials = 0; t < t_goal; ++trials) {
       if (trials > 400) return false;
       if (t + dt >= t_goal - 4 * std::numeric_limits<R>::epsilon() * t_goal) dt = t_goal - t;
-      if (!stepper.try_step(ode_, y, t, dt)) continue;
+      if (!method->try_step(ode_, y, t, dt)) continue;
       if (t_goal - t <= std::numeric_limits<R>::epsilon() * t_goal) break;
     }
     return true;
@@ -303,7 +316,7 @@ class MultibodyRun {
     event.force_jump = static_cast<double>((after - before).norm());
     events_.push_back(event);
     ++outcome_.mode_changes;
-    stepper_.reset();
+    method_->reset();
     dt_ = std::max<R>(dt_ / 1000, R(1e-9 * settings_.duration));
   }
 
@@ -357,9 +370,8 @@ class MultibodyRun {
 
   MultibodyOde<R>& ode_;
   RunSettings settings_;
-  State tolerances_;
   ConstraintUpkeep upkeep_;
-  Stepper stepper_;
+  std::unique_ptr<Method> method_;
   MultibodyRecorder<R> recorder_;
   RunOutcome outcome_;
   std::vector<ContactEvent> events_;

@@ -10,11 +10,15 @@ enum class RunStatus { finished, stopped };
 
 struct RunOutcome {
   RunStatus status = RunStatus::finished;
+  std::string integrator;         ///< that ran
+  std::string integrator_reason;  ///< why it was chosen; empty if the scene names it
   std::string message;  ///< why a run stopped: time, joint, ε, and what to change; empty if it finished
   double t_end = 0;     ///< [s]
   std::size_t steps = 0;
   std::size_t rejected_steps = 0;
   std::size_t rhs_evaluations = 0;
+  std::size_t jacobian_evaluations = 0;
+  std::size_t factorisations = 0;
   std::size_t mode_changes = 0;  ///< events at which a half film changed its mode
 };
 
@@ -24,6 +28,7 @@ struct RunSettings {
   double relative_tolerance = 1e-8;
   double absolute_tolerance = 1e-8;  ///< of positions, in clearances
   double output_interval = 1e-3;     ///< [s]
+  bool stop_at_outputs = false;      ///< steps of a multibody run end at the output times: no sample is interpolated
   std::size_t max_steps = 20'000'000;
 };
 

@@ -3,32 +3,19 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 #include <boost/numeric/odeint/util/unwrap_reference.hpp>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "lubjoint/dynamics/complex_shift_solver.hpp"
+#include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/radau_tableau.hpp"
 
 namespace lubjoint {
-
-/// In place of a number of states: it is known when the program runs.
-inline constexpr std::size_t run_time_size = 0;
-
-/// What a run of a stepper has cost.
-struct StepperCounts {
-  std::size_t accepted = 0;
-  std::size_t rejected = 0;
-  std::size_t factorisations = 0;
-  std::size_t newton_iterations = 0;
-};
 
 /// Three-stage Radau IIA, order 5, L-stable, with step-size control: a controlled stepper in Odeint's sense, so that
 /// it runs in Odeint's integrate functions. The system is a pair (f, jacobian) as for Odeint's rosenbrock4:
@@ -45,7 +32,7 @@ template <class R, std::size_t N>
 class RadauIIA5 {
  public:
   using value_type = R;
-  using state_type = std::conditional_t<N == run_time_size, std::vector<R>, std::array<R, N>>;
+  using state_type = StateOf<R, N>;
   using deriv_type = state_type;
   using time_type = R;
   using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
@@ -82,7 +69,8 @@ class RadauIIA5 {
   /// Replaces the state after a step by one close to it, and keeps step length and history.
   void replace_state(const state_type& x) {
     x_ = x;
-    jacobian_is_current_ = false;
+    rate_is_current_ = false;
+    jacobian_is_of_this_state_ = false;
   }
 
   /// One trial step. On success x, t are advanced and dt is the next step's length; on failure dt is reduced.
@@ -93,17 +81,23 @@ class RadauIIA5 {
     Unwrapped& parts = system;
     if (!started_ || x != x_ || t != t_) begin_at(x, t);
     try {
-      if (!jacobian_is_current_) {
-        if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
-        rate_is_current_ = true;
+      if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
+      rate_is_current_ = true;
+      if (!jacobian_is_usable_) {
+        ++counts_.jacobians;
         parts.second(x_, jacobian_, t_);
         if (!jacobian_.allFinite() || !f_.allFinite()) return fail(dt, R(0.5));
-        jacobian_is_current_ = true;
+        jacobian_is_usable_ = true;
+        jacobian_is_of_this_state_ = true;
         factorised_for_ = 0;
       }
       if (factorised_for_ != dt) factorise(dt);
-      R newton_rate = 0;
-      if (!solve_stages(parts.first, dt, newton_rate)) return fail(dt, R(0.5));
+      if (!solve_stages(parts.first, dt)) {
+        // An older Jacobian may be to blame: the same step again with a new one.
+        const bool try_new_jacobian = !jacobian_is_of_this_state_;
+        jacobian_is_usable_ = jacobian_is_of_this_state_;
+        return fail(dt, try_new_jacobian ? R(1) : R(0.5));
+      }
       R error = estimate(parts.first, dt);
       if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
       if (error < 1) {  // the end of the step is a trial state too; its rate begins the next step
@@ -127,7 +121,7 @@ class RadauIIA5 {
     x = x_old_;
     for (std::size_t i = 0; i < x.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      x[i] = x_old_[i] + l1 * z_old_[0](k) + l2 * z_old_[1](k) + l3 * z_old_[2](k);
+      x[i] += l1 * z_old_[0](k) + l2 * z_old_[1](k) + l3 * z_old_[2](k);
     }
   }
 
@@ -138,33 +132,39 @@ class RadauIIA5 {
 
  private:
   using Stages = std::array<Vector, 3>;
+  using Index = Eigen::Index;
 
   static constexpr int max_newton_iterations = 7;
+  /// Newton's iterations that shrink faster than this need no new Jacobian for the next step.
+  static constexpr double keep_jacobian_below = 1e-3;
+  /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
+  static constexpr double keep_step_below = 1.2;
 
   template <class F>
   void evaluate(F& f, const state_type& x, const R& t, Vector& out) {
     f(x, rate_, t);
-    out.resize(size());
-    for (std::size_t i = 0; i < x.size(); ++i) out(static_cast<Eigen::Index>(i)) = rate_[i];
+    for (std::size_t i = 0; i < rate_.size(); ++i) out(static_cast<Index>(i)) = rate_[i];
   }
 
-  Eigen::Index size() const { return static_cast<Eigen::Index>(absolute_.size()); }
+  Index size() const { return static_cast<Index>(absolute_.size()); }
 
-  state_type displaced(const Vector& z) const {
-    state_type x = x_;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += z(static_cast<Eigen::Index>(i));
-    return x;
+  const state_type& displaced(const Vector& z) {
+    for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = x_[i] + z(static_cast<Index>(i));
+    return trial_;
   }
 
   void begin_at(const state_type& x, const R& t) {
     x_ = x;
     t_ = t;
-    rate_ = x;
-    scale_.resize(size());
+    rate_ = trial_ = x;
     jacobian_.resize(size(), size());
+    for (Vector* v : {&scale_, &f_, &f_end_, &right_, &solution_}) v->resize(size());
+    for (Stages* stages : {&z_, &z_old_, &w_, &g_, &change_}) {
+      for (Vector& v : *stages) v.resize(size());
+    }
     started_ = true;
     rate_is_current_ = false;
-    jacobian_is_current_ = false;
+    jacobian_is_usable_ = false;
     first_step_ = true;
     last_failed_ = false;
     has_old_step_ = false;
@@ -174,14 +174,11 @@ class RadauIIA5 {
   void set_scale() {
     using std::abs;
     for (std::size_t i = 0; i < x_.size(); ++i) {
-      scale_(static_cast<Eigen::Index>(i)) = absolute_[i] + relative_part_ * abs(x_[i]);
+      scale_(static_cast<Index>(i)) = absolute_[i] + relative_part_ * abs(x_[i]);
     }
   }
 
-  R scaled_norm(const Vector& v) const {
-    using std::sqrt;
-    return sqrt(v.cwiseQuotient(scale_).squaredNorm() / static_cast<R>(size()));
-  }
+  R square_scaled(const Vector& v) const { return v.cwiseQuotient(scale_).squaredNorm(); }
 
   boost::numeric::odeint::controlled_step_result fail(R& dt, const R& factor) {
     dt *= factor;
@@ -191,54 +188,64 @@ class RadauIIA5 {
   }
 
   void factorise(const R& dt) {
-    real_.compute(Matrix::Identity(size(), size()) * (tableau_.gamma / dt) - jacobian_);
+    shifted_ = -jacobian_;
+    shifted_.diagonal().array() += tableau_.gamma / dt;
+    real_.compute(shifted_);
     complex_.factorise(jacobian_, tableau_.alpha / dt, tableau_.beta / dt);
     factorised_for_ = dt;
     ++counts_.factorisations;
   }
 
+  /// out_i = Σ_j m_ij in_j, over the three stages.
+  template <class Weights>
+  static void combine(const Weights& m, const Stages& in, Stages& out) {
+    Index i = 0;
+    for (Vector& each : out) {
+      each.noalias() = m(i, 0) * in[0] + m(i, 1) * in[1] + m(i, 2) * in[2];
+      ++i;
+    }
+  }
+
   /// Simplified Newton iterations for the stage increments z_; false if they do not converge.
   template <class F>
-  bool solve_stages(F& f, const R& h, R& rate) {
+  bool solve_stages(F& f, const R& h) {
     using std::pow;
     using std::sqrt;
     const auto& tab = tableau_;
     start_stages(h);
-    Stages w;
-    for (int i = 0; i < 3; ++i) {
-      w[i] = tab.t_inverse(i, 0) * z_[0] + tab.t_inverse(i, 1) * z_[1] + tab.t_inverse(i, 2) * z_[2];
-    }
+    combine(tab.t_inverse, z_, w_);
     R old_size = 0;
     R convergence = 1;
+    newton_rate_ = 0;
     for (iterations_ = 1; iterations_ <= max_newton_iterations; ++iterations_) {
       ++counts_.newton_iterations;
-      Stages g;
-      for (int i = 0; i < 3; ++i) {
-        evaluate(f, displaced(z_[i]), t_ + tab.c(i) * h, g[i]);
-        if (!g[i].allFinite()) return false;
+      Index stage = 0;
+      for (Vector& g : change_) {
+        evaluate(f, displaced(z_[static_cast<std::size_t>(stage)]), t_ + tab.c(stage) * h, g);
+        if (!g.allFinite()) return false;
+        ++stage;
       }
-      Stages r;
-      for (int i = 0; i < 3; ++i) {
-        r[i] = tab.t_inverse(i, 0) * g[0] + tab.t_inverse(i, 1) * g[1] + tab.t_inverse(i, 2) * g[2];
+      combine(tab.t_inverse, change_, g_);
+      right_ = g_[0] - (tab.gamma / h) * w_[0];
+      change_[0].noalias() = real_.solve(right_);
+      change_[1] = g_[1] - (tab.alpha / h) * w_[1] + (tab.beta / h) * w_[2];
+      change_[2] = g_[2] - (tab.beta / h) * w_[1] - (tab.alpha / h) * w_[2];
+      complex_.solve_in_place(change_[1], change_[2]);
+      R square(0);
+      for (std::size_t i = 0; i < 3; ++i) {
+        w_[i] += change_[i];
+        square += square_scaled(change_[i]);
       }
-      const Vector real_right = r[0] - (tab.gamma / h) * w[0];
-      Vector right_2 = r[1] - (tab.alpha / h) * w[1] + (tab.beta / h) * w[2];
-      Vector right_3 = r[2] - (tab.beta / h) * w[1] - (tab.alpha / h) * w[2];
-      const Vector d0 = real_.solve(real_right);
-      complex_.solve_in_place(right_2, right_3);
-      w[0] += d0;
-      w[1] += right_2;
-      w[2] += right_3;
-      const R change =
-          sqrt((square_scaled(d0) + square_scaled(right_2) + square_scaled(right_3)) / static_cast<R>(3 * size()));
+      const R change = sqrt(square / static_cast<R>(3 * size()));
       if (!std::isfinite(static_cast<double>(change))) return false;
-      for (int i = 0; i < 3; ++i) z_[i] = tab.t(i, 0) * w[0] + tab.t(i, 1) * w[1] + tab.t(i, 2) * w[2];
+      combine(tab.t, w_, z_);
       if (iterations_ > 1) {
         const R theta = change / old_size;
-        rate = iterations_ == 2 ? theta : sqrt(theta * rate);
-        if (rate >= R(0.99)) return false;
-        convergence = rate / (1 - rate);
-        const R remaining = convergence * change * pow(rate, static_cast<R>(max_newton_iterations - 1 - iterations_)) /
+        newton_rate_ = iterations_ == 2 ? theta : R(sqrt(theta * newton_rate_));
+        if (newton_rate_ >= R(0.99)) return false;
+        convergence = newton_rate_ / (1 - newton_rate_);
+        const R remaining = convergence * change *
+                            pow(newton_rate_, static_cast<R>(max_newton_iterations - 1 - iterations_)) /
                             newton_tolerance_;
         if (iterations_ < max_newton_iterations && remaining >= 1 && convergence * change > newton_tolerance_) {
           return false;
@@ -250,34 +257,36 @@ class RadauIIA5 {
     return false;
   }
 
-  R square_scaled(const Vector& v) const { return v.cwiseQuotient(scale_).squaredNorm(); }
-
   /// First guess of the stages: the last step's collocation polynomial, continued.
   void start_stages(const R& h) {
     if (!has_old_step_ || last_failed_) {
-      for (auto& z : z_) z.setZero(size());
+      for (Vector& z : z_) z.setZero();
       return;
     }
-    for (int i = 0; i < 3; ++i) {
-      state_type x;
-      state_at(t_ + tableau_.c(i) * h, x);
-      z_[i].resize(size());
-      for (std::size_t k = 0; k < x.size(); ++k) z_[i](static_cast<Eigen::Index>(k)) = x[k] - x_[k];
+    Index stage = 0;
+    for (Vector& z : z_) {
+      state_at(t_ + tableau_.c(stage++) * h, trial_);
+      for (std::size_t k = 0; k < trial_.size(); ++k) z(static_cast<Index>(k)) = trial_[k] - x_[k];
     }
   }
 
   /// Scaled norm of the embedded error estimate, filtered by the real factorisation.
   template <class F>
   R estimate(F& f, const R& h) {
+    using std::sqrt;
     const auto& w = tableau_.error_weights;
-    const Vector combination = (w(0) * z_[0] + w(1) * z_[1] + w(2) * z_[2]) / h;
-    Vector error = real_.solve(f_ + combination);
-    R estimated = scaled_norm(error);
+    Vector& combination = g_[0];
+    combination = (w(0) * z_[0] + w(1) * z_[1] + w(2) * z_[2]) / h;
+    right_ = f_ + combination;
+    const auto norm = [this] {
+      solution_.noalias() = real_.solve(right_);
+      return R(sqrt(square_scaled(solution_) / static_cast<R>(size())));
+    };
+    R estimated = norm();
     if (estimated >= 1 && (first_step_ || last_failed_)) {
-      Vector f_displaced;
-      evaluate(f, displaced(error), t_, f_displaced);
-      error = real_.solve(f_displaced + combination);
-      estimated = scaled_norm(error);
+      evaluate(f, displaced(solution_), t_, right_);
+      right_ += combination;
+      estimated = norm();
     }
     return estimated;
   }
@@ -289,31 +298,33 @@ class RadauIIA5 {
     const R limit = std::min<R>(safety, effort);
     R shrink = std::clamp<R>(pow(error, R(0.25)) / limit, R(0.125), R(5));
     if (error >= 1) {
-      const R next = first_step_ ? R(0.1) : 1 / shrink;
+      const R next = first_step_ ? R(0.1) : R(1 / shrink);
+      jacobian_is_usable_ = jacobian_is_of_this_state_;
       return fail(dt, std::min<R>(next, R(0.9)));
     }
     if (!first_step_) {  // Gustafsson's predictive controller
       const R predicted = (h_accepted_ / dt) * pow(error * error / error_accepted_, R(0.25)) / safety;
-      shrink = std::max(shrink, std::clamp<R>(predicted, R(0.125), R(5)));
+      shrink = std::max<R>(shrink, std::clamp<R>(predicted, R(0.125), R(5)));
     }
     error_accepted_ = std::max<R>(error, R(0.01));
     h_accepted_ = dt;
 
-    x_old_ = x_;
-    z_old_ = z_;
+    std::swap(x_old_, x_);
+    std::swap(z_old_, z_);
     h_old_ = dt;
     has_old_step_ = true;
-    x_ = displaced(z_[2]);
+    x_ = trial_;  // the end of the step, from its last evaluation
     t_ += dt;
     x = x_;
     t = t_;
     set_scale();
-    f_ = f_end_;
+    std::swap(f_, f_end_);
     rate_is_current_ = true;
-    jacobian_is_current_ = false;
+    jacobian_is_usable_ = newton_rate_ < R(keep_jacobian_below);
+    jacobian_is_of_this_state_ = false;
     R next = dt / shrink;
-    if (last_failed_) next = std::min(next, dt);
-    dt = next;
+    if (last_failed_) next = std::min<R>(next, dt);
+    if (!(jacobian_is_usable_ && next >= dt && next <= R(keep_step_below) * dt)) dt = next;
     first_step_ = false;
     last_failed_ = false;
     ++counts_.accepted;
@@ -331,9 +342,9 @@ class RadauIIA5 {
   bool last_failed_ = false;
   bool has_old_step_ = false;
   bool rate_is_current_ = false;
-  bool jacobian_is_current_ = false;
+  bool jacobian_is_usable_ = false;
+  bool jacobian_is_of_this_state_ = false;
   state_type x_{};
-  state_type rate_{};
   R t_ = 0;
   Vector scale_;
   Vector f_;
@@ -344,63 +355,20 @@ class RadauIIA5 {
   ComplexShiftSolver<R, dimension> complex_;
   Stages z_;
   int iterations_ = 0;
+  R newton_rate_ = 0;
   R h_accepted_ = 0;
   R error_accepted_ = 0;
   state_type x_old_{};
   Stages z_old_;
   R h_old_ = 0;
   StepperCounts counts_;
-};
 
-/// RadauIIA5 as a dense-output stepper in Odeint's sense.
-template <class R, std::size_t N>
-class RadauIIA5Dense {
- public:
-  using Stepper = RadauIIA5<R, N>;
-  using value_type = R;
-  using state_type = typename Stepper::state_type;
-  using deriv_type = state_type;
-  using time_type = R;
-  using stepper_category = boost::numeric::odeint::dense_output_stepper_tag;
-
-  explicit RadauIIA5Dense(const Stepper& stepper) : stepper_(stepper) {}
-
-  void initialize(const state_type& x0, time_type t0, time_type dt0) {
-    x_ = x0;
-    t_ = t0;
-    dt_ = dt0;
-    stepper_.reset();
-  }
-
-  /// @throws std::runtime_error if no step, however short, succeeds
-  template <class System>
-  std::pair<time_type, time_type> do_step(System system) {
-    using std::abs;
-    x_old_ = x_;
-    t_old_ = t_;
-    while (stepper_.try_step(system, x_, t_, dt_) == boost::numeric::odeint::fail) {
-      if (abs(dt_) <= 4 * std::numeric_limits<R>::epsilon() * abs(t_) || dt_ == 0) {
-        throw std::runtime_error("radau_iia5: the step length has shrunk to rounding");
-      }
-    }
-    return {t_old_, t_};
-  }
-
-  void calc_state(time_type t, state_type& x) const { stepper_.state_at(t, x); }
-  const state_type& current_state() const { return x_; }
-  time_type current_time() const { return t_; }
-  const state_type& previous_state() const { return x_old_; }
-  time_type previous_time() const { return t_old_; }
-  time_type current_time_step() const { return dt_; }
-  const StepperCounts& counts() const { return stepper_.counts(); }
-
- private:
-  Stepper stepper_;
-  state_type x_{};
-  state_type x_old_{};
-  time_type t_ = 0;
-  time_type t_old_ = 0;
-  time_type dt_ = 0;
+  // Work of a step, kept so that none allocates.
+  state_type rate_{};
+  state_type trial_{};
+  Stages w_, g_, change_;
+  Vector right_, solution_;
+  Matrix shifted_;
 };
 
 }  // namespace lubjoint

@@ -1,25 +1,22 @@
 /// The motion inside a step.
 #pragma once
 
-#include <vector>
-
-#include "lubjoint/joint/transition.hpp"
-#include "lubjoint/multibody/joint_element.hpp"
+#include <cstddef>
 
 namespace lubjoint {
 
-/// State and rate at both ends of a step of y = (q, q̇, work): positions by the quintic that meets positions,
+/// State and rate at both ends of a step of y = (q, q̇, rest): positions by the quintic that meets positions,
 /// velocities and accelerations at both ends (error of order 6 in the step), velocities by its derivative (order 5),
-/// work by the cubic (order 4). Any integrator's steps get the same interpolant.
-template <class R>
+/// the rest by the cubic (order 4). Any integrator's steps get the same interpolant.
+template <class State>
 struct StepInterpolant {
+  using R = typename State::value_type;
   R t_old{};
   R t_new{};
-  std::vector<R> y_old, y_new, rate_old, rate_new;
-  std::vector<JointMemory<R>> memory;  ///< of the joints during the step
+  State y_old{}, y_new{}, rate_old{}, rate_new{};
 
   /// @param n  number of coordinates
-  void state_at(const R& t, std::size_t n, std::vector<R>& y) const {
+  void state_at(const R& t, std::size_t n, State& y) const {
     const R h = t_new - t_old;
     const R s = (t - t_old) / h;
     y = y_old;

@@ -9,7 +9,7 @@ namespace lubjoint {
 template <class T>
 struct ConstraintRow {
   T value;                 ///< Φ
-  RealOf<T> time_rate;     ///< Φ_t
+  T time_rate;             ///< Φ_t
   T gamma;                 ///< γ = −(Φq q̇)q q̇ − 2Φqt q̇ − Φtt (eq. 40)
   std::array<T, 3> first;  ///< Φq, columns x, y, φ of body i
   std::array<T, 3> second;

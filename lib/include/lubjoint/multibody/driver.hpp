@@ -18,12 +18,12 @@ struct Driver {
   std::size_t first_body() const { return first; }
   std::size_t second_body() const { return second; }
 
-  template <class T>
-  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const R& t, ConstraintRow<T>* row) const {
-    const R wanted = angle + t * (speed + t * acceleration / 2);
+  template <class T, class Time>
+  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time& t, ConstraintRow<T>* row) const {
+    const Time wanted = angle + t * (speed + t * acceleration / 2);
     const T zero(0);
     row[0] = {T((body_j.angle - body_i.angle) - wanted),
-              R(-(speed + t * acceleration)),
+              T(-(speed + t * acceleration)),
               T(acceleration),
               {zero, zero, T(-1)},
               {zero, zero, T(1)}};

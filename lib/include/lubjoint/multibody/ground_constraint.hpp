@@ -15,13 +15,13 @@ struct GroundConstraint {
   std::size_t first_body() const { return ground_body; }
   std::size_t second_body() const { return body; }
 
-  template <class T>
-  void evaluate(const PlanarFrame<T>&, const PlanarFrame<T>& held, const R&, ConstraintRow<T>* row) const {
+  template <class T, class Time>
+  void evaluate(const PlanarFrame<T>&, const PlanarFrame<T>& held, const Time&, ConstraintRow<T>* row) const {
     const T zero(0);
     const T one(1);
-    row[0] = {T(held.position.x() - position.x()), R(0), zero, {zero, zero, zero}, {one, zero, zero}};
-    row[1] = {T(held.position.y() - position.y()), R(0), zero, {zero, zero, zero}, {zero, one, zero}};
-    row[2] = {T(held.angle - angle), R(0), zero, {zero, zero, zero}, {zero, zero, one}};
+    row[0] = {T(held.position.x() - position.x()), zero, zero, {zero, zero, zero}, {one, zero, zero}};
+    row[1] = {T(held.position.y() - position.y()), zero, zero, {zero, zero, zero}, {zero, one, zero}};
+    row[2] = {T(held.angle - angle), zero, zero, {zero, zero, zero}, {zero, zero, one}};
   }
 };
 

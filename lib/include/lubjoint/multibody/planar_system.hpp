@@ -69,11 +69,12 @@ class PlanarSystem {
     return w;
   }
 
-  /// Everything at (t, y): frames, joint forces, constraint rows, q̈ and λ, into the workspace.
+  /// Everything at (t, y): frames, joint forces, constraint rows, q̈ and λ, into the workspace. The time, too, may carry
+  /// derivatives.
   /// @param y  2 × coordinates() numbers;  @param memory  of the joints, one each (unused without contact)
   /// @throws FilmDomainError, SingularConstraints
-  template <class T>
-  void evaluate(const R& t, const T* y, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+  template <class T, class Time>
+  void evaluate(const Time& t, const T* y, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
     place(y, w);
     apply_forces(memory, w);
     if (constraint_rows() == 0) {
@@ -88,8 +89,8 @@ class PlanarSystem {
   }
 
   /// Frames and constraint rows alone.
-  template <class T>
-  void evaluate_kinematics(const R& t, const T* y, SystemWorkspace<T>& w) const {
+  template <class T, class Time>
+  void evaluate_kinematics(const Time& t, const T* y, SystemWorkspace<T>& w) const {
     place(y, w);
     evaluate_constraints(t, w);
   }
@@ -215,8 +216,8 @@ class PlanarSystem {
     w.accelerations[3 * body + 2] += wrench.moment + couple;
   }
 
-  template <class T>
-  void evaluate_constraints(const R& t, SystemWorkspace<T>& w) const {
+  template <class T, class Time>
+  void evaluate_constraints(const Time& t, SystemWorkspace<T>& w) const {
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
       const Sides& sides = sides_[first_row_[c]];
       std::visit(

@@ -15,8 +15,8 @@ struct Revolute {
   std::size_t first_body() const { return first.body; }
   std::size_t second_body() const { return second.body; }
 
-  template <class T>
-  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const R&, ConstraintRow<T>* row) const {
+  template <class T, class Time>
+  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time&, ConstraintRow<T>* row) const {
     const Vector2<T> s_i = inertial_vector(body_i, first.point);
     const Vector2<T> s_j = inertial_vector(body_j, second.point);
     const T spin_i = body_i.spin * body_i.spin;
@@ -27,8 +27,8 @@ struct Revolute {
     const T zero(0);
     const T one(1);
     const T minus(-1);
-    row[0] = {x, R(0), T(spin_j * s_j.x() - spin_i * s_i.x()), {minus, zero, s_i.y()}, {one, zero, T(-s_j.y())}};
-    row[1] = {y, R(0), T(spin_j * s_j.y() - spin_i * s_i.y()), {zero, minus, T(-s_i.x())}, {zero, one, s_j.x()}};
+    row[0] = {x, zero, T(spin_j * s_j.x() - spin_i * s_i.x()), {minus, zero, s_i.y()}, {one, zero, T(-s_j.y())}};
+    row[1] = {y, zero, T(spin_j * s_j.y() - spin_i * s_i.y()), {zero, minus, T(-s_i.x())}, {zero, one, s_j.x()}};
   }
 };
 

@@ -18,8 +18,8 @@ struct Translational {
   std::size_t first_body() const { return first.body; }
   std::size_t second_body() const { return second.body; }
 
-  template <class T>
-  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const R&, ConstraintRow<T>* row) const {
+  template <class T, class Time>
+  void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time&, ConstraintRow<T>* row) const {
     const PointMotion<T> p_i = point_motion(body_i, first.point);
     const PointMotion<T> p_j = point_motion(body_j, second.point);
     const Vector2<T> u = inertial_vector(body_i, axis);
@@ -36,8 +36,8 @@ struct Translational {
     const T minus(-1);
     // n·s⊥ = u·s, and n turns with body i: ∂(n·d)/∂φ_i = −u·s_i − u·d.
     row[0] = {
-        across, R(0), gamma, {T(-n.x()), T(-n.y()), T(-dot(u, p_i.arm) - dot(u, d))}, {n.x(), n.y(), dot(u, p_j.arm)}};
-    row[1] = {T(body_j.angle - body_i.angle - angle), R(0), zero, {zero, zero, minus}, {zero, zero, one}};
+        across, zero, gamma, {T(-n.x()), T(-n.y()), T(-dot(u, p_i.arm) - dot(u, d))}, {n.x(), n.y(), dot(u, p_j.arm)}};
+    row[1] = {T(body_j.angle - body_i.angle - angle), zero, zero, {zero, zero, minus}, {zero, zero, one}};
   }
 };
 

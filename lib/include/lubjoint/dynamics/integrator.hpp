@@ -1,0 +1,83 @@
+/// What every integrator is to the runs: trial steps of a system of ordinary differential equations.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace lubjoint {
+
+/// In place of a number of states: it is known when the program runs.
+inline constexpr std::size_t run_time_size = 0;
+
+/// States of a system: as many as N says, or as many as there are.
+template <class R, std::size_t N>
+using StateOf = std::conditional_t<N == run_time_size, std::vector<R>, std::array<R, N>>;
+
+template <class R, std::size_t N>
+using JacobianOf = Eigen::Matrix<R, N == run_time_size ? Eigen::Dynamic : static_cast<int>(N),
+                                 N == run_time_size ? Eigen::Dynamic : static_cast<int>(N)>;
+
+/// ẏ = f(y, t) and its exact derivatives. A rate outside its domain throws std::domain_error: the step is rejected.
+template <class R, std::size_t N>
+class OdeSystem {
+ public:
+  using State = StateOf<R, N>;
+  using Jacobian = JacobianOf<R, N>;
+
+  virtual ~OdeSystem() = default;
+  virtual void rate(const State& y, State& dydt, const R& t) = 0;
+  virtual void jacobian(const State& y, Jacobian& j, const R& t) = 0;  ///< ∂f/∂y
+  virtual void time_slope(const State& y, State& slope, const R& t) = 0;  ///< ∂f/∂t
+};
+
+/// What a run of an integrator has cost beyond evaluations of f.
+struct StepperCounts {
+  std::size_t accepted = 0;
+  std::size_t rejected = 0;
+  std::size_t jacobians = 0;
+  std::size_t factorisations = 0;
+  std::size_t newton_iterations = 0;
+};
+
+/// The error allowed in one step: of state i at most absolute[i] + relative |y_i|.
+template <class R, std::size_t N>
+struct StepTolerance {
+  R relative;
+  StateOf<R, N> absolute;
+  /// What an integrator that scales its own work by a tolerance (Radau's τ) takes for it.
+  R nominal;
+};
+
+/// One integrator with its memory of the steps so far.
+template <class R, std::size_t N>
+class Integrator {
+ public:
+  using System = OdeSystem<R, N>;
+  using State = StateOf<R, N>;
+
+  virtual ~Integrator() = default;
+
+  /// One trial step. On success y and t are advanced and dt is the next step's length; on failure y and t are as they
+  /// were and dt is shorter. A state with NaN or beyond a wall may count as a success: the caller looks at it.
+  virtual bool try_step(System& system, State& y, R& t, R& dt) = 0;
+
+  /// Forgets the steps so far: the state was changed by hand, or its rate has jumped.
+  virtual void reset() = 0;
+
+  /// The state was replaced by one close to it (projection): memory of the steps is kept if it can be.
+  virtual void replace_state(const State&) { reset(); }
+
+  /// Another one with the same tolerances and no memory.
+  virtual std::unique_ptr<Integrator> fresh() const = 0;
+
+  /// Into how many pieces a step is worth dividing when something is looked for inside it.
+  virtual std::size_t looks_inside() const = 0;
+
+  virtual StepperCounts counts() const { return {}; }
+};
+
+}  // namespace lubjoint

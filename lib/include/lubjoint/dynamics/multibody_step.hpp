@@ -1,0 +1,17 @@
+/// A step of a multibody run.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/dynamics/step_interpolant.hpp"
+#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/multibody/joint_element.hpp"
+
+namespace lubjoint {
+
+template <class R>
+struct MultibodyStep : StepInterpolant<std::vector<R>> {
+  std::vector<JointMemory<R>> memory;  ///< of the joints during the step
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,38 @@
+/// Radau IIA(5) behind the common interface.
+#pragma once
+
+#include "lubjoint/dynamics/integrator.hpp"
+#include "lubjoint/dynamics/radau_iia5.hpp"
+
+namespace lubjoint {
+
+/// RadauIIA5 as an Integrator.
+template <class R, std::size_t N>
+class RadauIntegrator final : public Integrator<R, N> {
+ public:
+  using System = OdeSystem<R, N>;
+  using State = StateOf<R, N>;
+
+  explicit RadauIntegrator(const StepTolerance<R, N>& tolerance)
+      : tolerance_(tolerance), stepper_(tolerance.nominal, tolerance.absolute) {
+    if (tolerance.relative == 0) stepper_.use_absolute_tolerance_only();
+  }
+
+  bool try_step(System& system, State& y, R& t, R& dt) override {
+    auto rate = [&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); };
+    auto jacobian = [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.jacobian(x, j, s); };
+    auto parts = std::make_pair(rate, jacobian);
+    return stepper_.try_step(std::ref(parts), y, t, dt) == boost::numeric::odeint::success;
+  }
+  void reset() override { stepper_.reset(); }
+  void replace_state(const State& y) override { stepper_.replace_state(y); }
+  std::unique_ptr<Integrator<R, N>> fresh() const override { return std::make_unique<RadauIntegrator>(tolerance_); }
+  std::size_t looks_inside() const override { return 8; }  // its steps are long
+  StepperCounts counts() const override { return stepper_.counts(); }
+
+ private:
+  StepTolerance<R, N> tolerance_;
+  RadauIIA5<R, N> stepper_;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,57 @@
+#include "choose_integrator.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <sstream>
+
+namespace lubjoint::detail {
+
+namespace {
+
+/// An eigenvalue problem of this size takes about a millisecond.
+constexpr Eigen::Index largest_eigenvalue_problem = 48;
+
+/// dopri5's region of stability reaches to −3.3 on the real axis.
+constexpr double stability_reach = 3.3;
+
+/// An explicit step of order 5 costs 6 evaluations; one of Radau about 25, its Jacobian and factors counted.
+constexpr double implicit_step_cost = 4;
+
+/// Below this tolerance the pair of order 8 needs fewer evaluations than the one of order 5.
+constexpr double high_order_below = 1e-6;
+
+std::string rounded(double steps) {
+  std::ostringstream text;
+  text.precision(2);
+  text << steps;
+  return text.str();
+}
+
+}  // namespace
+
+RunSettings pilot_settings(const RunSettings& settings) {
+  RunSettings pilot = settings;
+  pilot.relative_tolerance = pilot.absolute_tolerance = pilot_tolerance;
+  pilot.output_interval = settings.duration / pilot_samples;
+  return pilot;
+}
+
+double spectral_radius(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances) {
+  if (!jacobian.allFinite()) return INFINITY;
+  if (jacobian.rows() <= largest_eigenvalue_problem) return jacobian.eigenvalues().cwiseAbs().maxCoeff();
+  const auto scale = Eigen::Map<const Eigen::VectorXd>(tolerances.data(), jacobian.rows());
+  return (scale.cwiseInverse().asDiagonal() * jacobian * scale.asDiagonal()).cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+IntegratorChoice choose_integrator(const StiffnessMeasure& measure, double relative_tolerance) {
+  if (!measure.pilot_finished) return {"radau_iia5", "a pilot run did not finish, which asks for the method that bears most"};
+  // Order 5: steps grow with the fifth root of the tolerance.
+  const double accuracy_steps = measure.pilot_steps * std::pow(pilot_tolerance / relative_tolerance, 0.2);
+  const double stability_steps = measure.stability_steps / stability_reach;
+  const std::string counts = "stability asks an explicit method for " + rounded(stability_steps) +
+                             " steps, accuracy for about " + rounded(accuracy_steps);
+  if (stability_steps > implicit_step_cost * accuracy_steps) return {"radau_iia5", "stiff: " + counts};
+  return {relative_tolerance < high_order_below ? "fehlberg78" : "dopri5", "not stiff: " + counts};
+}
+
+}  // namespace lubjoint::detail

@@ -1,0 +1,34 @@
+/// The choice behind the integrator "auto".
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "lubjoint/dynamics/outcome.hpp"
+
+namespace lubjoint::detail {
+
+/// What a pilot run shows of a scene.
+struct StiffnessMeasure {
+  bool pilot_finished = false;
+  double pilot_steps = 0;      ///< of radau_iia5 at pilot_tolerance
+  double stability_steps = 0;  ///< that the stability of dopri5 asks for, however loose the tolerance
+};
+
+inline constexpr double pilot_tolerance = 1e-4;
+inline constexpr int pilot_samples = 64;
+
+/// Settings of the pilot run of a scene.
+RunSettings pilot_settings(const RunSettings& settings);
+
+/// Largest eigenvalue of a Jacobian in size [1/s]; of a large one, its norm in units of the tolerances.
+double spectral_radius(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances);
+
+struct IntegratorChoice {
+  std::string name;
+  std::string reason;
+};
+
+IntegratorChoice choose_integrator(const StiffnessMeasure& measure, double relative_tolerance);
+
+}  // namespace lubjoint::detail

@@ -1,0 +1,81 @@
+#include "multibody_simulation.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "choose_integrator.hpp"
+#include "lubjoint/dynamics/integrators.hpp"
+#include "lubjoint/dynamics/multibody_run.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
+
+namespace lubjoint {
+
+namespace {
+
+ConstraintUpkeep upkeep_of(const Scene& scene) {
+  return scene.stabilisation.projection ? ConstraintUpkeep::by_projection : ConstraintUpkeep::by_accelerations;
+}
+
+/// Every state by its own absolute tolerance: a coordinate of 0.1 m says nothing of the clearance that is at stake.
+std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& name, const RunSettings& run,
+                                                             const std::vector<double>& tolerances) {
+  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
+}
+
+detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::PreparedScene& prepared) {
+  Scene pilot_scene = scene;
+  pilot_scene.run = detail::pilot_settings(scene.run);
+  pilot_scene.energy_ledger = false;
+  const std::vector<double> tolerances = scene_tolerances<double>(pilot_scene);
+  MultibodyOde<double> ode(prepared.system, false);
+  MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances),
+                             upkeep_of(scene));
+  const RunOutcome outcome = pilot.run(prepared.start);
+  detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0};
+  Eigen::MatrixXd jacobian;
+  for (const MultibodySample& sample : pilot.recorder().samples()) {
+    try {
+      ode.jacobian(sample.state, jacobian, sample.t);
+    } catch (const std::domain_error&) {  // a sample between two steps, in a film thinner than a pilot's tolerance
+      continue;
+    }
+    measure.stability_steps += pilot_scene.run.output_interval * detail::spectral_radius(jacobian, tolerances);
+  }
+  return measure;
+}
+
+}  // namespace
+
+MultibodyTrajectory simulate_multibody(const Scene& scene) {
+  const detail::PreparedScene prepared = detail::prepare(scene);
+  MultibodyTrajectory result;
+  const auto begin = std::chrono::steady_clock::now();
+  detail::IntegratorChoice choice{scene.integrator, ""};
+  if (scene.integrator == automatic_integrator) {
+    choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
+  }
+  MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
+  MultibodyRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
+                           upkeep_of(scene));
+  result.outcome = run.run(prepared.start);
+  const auto end = std::chrono::steady_clock::now();
+  result.wall_seconds = std::chrono::duration<double>(end - begin).count();
+  result.outcome.integrator = choice.name;
+  result.outcome.integrator_reason = choice.reason;
+  const MultibodyRecorder<double>& recorder = run.recorder();
+  result.correction = prepared.correction;
+  result.samples = recorder.samples();
+  result.joints = recorder.joint_extremes();
+  result.drivers = recorder.driver_extremes();
+  for (const auto& constraint : prepared.system.constraints()) {
+    if (constraint.is_driver()) result.driver_names.push_back(constraint.name);
+  }
+  result.events = run.events();
+  result.drift = recorder.drift();
+  if (scene.energy_ledger) result.energy_residual = recorder.energy_residual();
+  result.energy_scale = recorder.energy_scale();
+  return result;
+}
+
+}  // namespace lubjoint
