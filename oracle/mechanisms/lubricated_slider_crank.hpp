@@ -37,11 +37,29 @@ class LubricatedSliderCrank {
         scale_(lubjoint::force_scale(Law::limit, bearing, oil)),
         side_(side) {}
 
-  GudgeonPin<R> pin(const R& t, const DeviationState<R>& y) const { return at(t, y).pin; }
+  /// ê alone, from the positions y₀ and y₁.
+  Vector2<R> eccentricity(const R& t, const R& y0, const R& y1) const {
+    using std::cos;
+    using std::sin;
+    const R c = bearing_.clearance();
+    const R l = m_.rod_length;
+    const R theta = speed_ * t;
+    const IdealMotion<R> ideal = ideal_motion<R>(m_, {theta, speed_, R(0)});
+    const R phi = ideal.rod.value + c * y0 / l;
+    const R sign = side_ == BearingOn::rod ? R(1) : R(-1);
+    const R x = ideal.slider.value + c * y1 - m_.crank_length * cos(theta) - l * cos(phi);
+    const R y = -m_.crank_length * sin(theta) - l * sin(phi);
+    return {R(x * (sign / c)), R(y * (sign / c))};
+  }
+
+  template <class T>
+  GudgeonPin<T> pin(const R& t, const DeviationState<T>& y) const {
+    return at(t, y).pin;
+  }
 
   /// Moment of the driver on the crank, counter-clockwise positive [N m].
   R driving_moment(const R& t, const DeviationState<R>& y) const {
-    const Instant now = at(t, y);
+    const Instant<R> now = at(t, y);
     const R half = m_.rod_length / 2;
     const R turning = now.rod_acceleration;
     const R ax = now.pin_acceleration.x() - half * (now.sine * turning + now.cosine * now.rod_rate * now.rod_rate);
@@ -50,9 +68,10 @@ class LubricatedSliderCrank {
     return cross(now.crank_pin, crank_pin);
   }
 
-  /// dy/dt. @throws FilmDomainError where ε ≥ 1
-  void rate(const DeviationState<R>& y, DeviationState<R>& dydt, const R& t) const {
-    const Instant now = at(t, y);
+  /// dy/dt, on any scalar. @throws FilmDomainError where ε ≥ 1
+  template <class T>
+  void rate(const DeviationState<T>& y, DeviationState<T>& dydt, const R& t) const {
+    const Instant<T> now = at(t, y);
     const R c = bearing_.clearance();
     dydt[0] = y[2] * speed_;
     dydt[1] = y[3] * speed_;
@@ -61,54 +80,59 @@ class LubricatedSliderCrank {
   }
 
  private:
+  template <class T>
   struct Instant {
     IdealMotion<R> ideal;
     Vector2<R> crank_pin;         ///< A
     Vector2<R> pin_acceleration;  ///< of A
-    R sine;                       ///< of the rod's angle
-    R cosine;
-    R rod_rate;
-    GudgeonPin<R> pin;
-    Vector2<R> on_slider;  ///< force [N]
-    R rod_acceleration;
+    T sine;                       ///< of the rod's angle
+    T cosine;
+    T rod_rate;
+    GudgeonPin<T> pin;
+    Vector2<T> on_slider;  ///< force [N]
+    T rod_acceleration;
   };
 
-  Instant at(const R& t, const DeviationState<R>& y) const {
+  template <class T>
+  Instant<T> at(const R& t, const DeviationState<T>& y) const {
     using std::cos;
     using std::sin;
-    Instant now;
+    Instant<T> now;
     const R c = bearing_.clearance();
     const R l = m_.rod_length;
     const R theta = speed_ * t;
     now.ideal = ideal_motion<R>(m_, {theta, speed_, R(0)});
-    const R phi = now.ideal.rod.value + c * y[0] / l;
-    now.rod_rate = now.ideal.rod.rate + c * speed_ * y[2] / l;
+    const T phi = now.ideal.rod.value + (c / l) * y[0];
+    now.rod_rate = now.ideal.rod.rate + (c * speed_ / l) * y[2];
     now.sine = sin(phi);
     now.cosine = cos(phi);
     now.crank_pin = m_.crank_length * Vector2<R>(R(cos(theta)), R(sin(theta)));
-    const R slider = now.ideal.slider.value + c * y[1];
-    const R slider_rate = now.ideal.slider.rate + c * speed_ * y[3];
+    const T slider = now.ideal.slider.value + c * y[1];
+    const T slider_rate = now.ideal.slider.rate + (c * speed_) * y[3];
     // From the rod's end to the slider's centre.
-    const Vector2<R> gap(R(slider - now.crank_pin.x() - l * now.cosine), R(-now.crank_pin.y() - l * now.sine));
-    const Vector2<R> gap_rate(R(slider_rate + speed_ * now.crank_pin.y() + l * now.sine * now.rod_rate),
-                              R(-speed_ * now.crank_pin.x() - l * now.cosine * now.rod_rate));
+    const Vector2<T> gap(T(slider - now.crank_pin.x() - l * now.cosine), T(-now.crank_pin.y() - l * now.sine));
+    const Vector2<T> gap_rate(T(slider_rate + speed_ * now.crank_pin.y() + l * now.sine * now.rod_rate),
+                              T(-speed_ * now.crank_pin.x() - l * now.cosine * now.rod_rate));
     const R sign = side_ == BearingOn::rod ? R(1) : R(-1);
-    now.pin.eccentricity = gap * (sign / c);
-    now.pin.velocity = gap_rate * (sign / c);
-    // The slider does not turn: the mean spin is half the rod's.
-    const R mean_spin = now.rod_rate / 2;
-    const FilmState<R> film(now.pin.eccentricity,
-                            Vector2<R>(now.pin.velocity - mean_spin * perpendicular(now.pin.eccentricity)));
-    now.pin.force = scale_ * force_ratio<Law>(film);
-    now.on_slider = sign * now.pin.force;
+    const R per_clearance = sign / c;
+    now.pin.eccentricity = {T(gap.x() * per_clearance), T(gap.y() * per_clearance)};
+    now.pin.velocity = {T(gap_rate.x() * per_clearance), T(gap_rate.y() * per_clearance)};
+    // The slider does not turn: the mean spin is half the rod's. u = ė/c − ω̄ (e/c)⊥.
+    const T mean_spin = now.rod_rate / R(2);
+    const Vector2<T>& e = now.pin.eccentricity;
+    const FilmState<T> film(e, Vector2<T>(T(now.pin.velocity.x() + mean_spin * e.y()),
+                                          T(now.pin.velocity.y() - mean_spin * e.x())));
+    const Vector2<T> ratio = force_ratio<Law>(film);
+    now.pin.force = {T(scale_ * ratio.x()), T(scale_ * ratio.y())};
+    now.on_slider = {T(sign * now.pin.force.x()), T(sign * now.pin.force.y())};
     // The pair of forces acts at the journal's centre: on the slider, or at the rod's end.
-    const Vector2<R> end(R(l * now.cosine), R(l * now.sine));
-    const Vector2<R> arm = side_ == BearingOn::rod ? Vector2<R>(end + gap) : end;
+    Vector2<T> arm(T(l * now.cosine), T(l * now.sine));
+    if (side_ == BearingOn::rod) arm = {T(arm.x() + gap.x()), T(arm.y() + gap.y())};
     now.pin_acceleration = -speed_ * speed_ * now.crank_pin;
     const R inertia = m_.rod_inertia + m_.rod_mass * l * l / 4;
-    const R carried =
-        m_.rod_mass * l / 2 * (now.cosine * now.pin_acceleration.y() - now.sine * now.pin_acceleration.x());
-    now.rod_acceleration = (-cross<R>(arm, now.on_slider) - carried) / inertia;
+    const R carried = m_.rod_mass * l / 2;
+    const T weight = carried * (now.cosine * now.pin_acceleration.y() - now.sine * now.pin_acceleration.x());
+    now.rod_acceleration = (-(arm.x() * now.on_slider.y() - arm.y() * now.on_slider.x()) - weight) / inertia;
     return now;
   }
 

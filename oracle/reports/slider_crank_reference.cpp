@@ -10,44 +10,13 @@
 #include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
-#include "oracle/mechanisms/lubricated_slider_crank.hpp"
+#include "oracle/reports/slider_crank_scene.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
 
 using mechanisms::DeviationState;
-
-const SceneBody& body_of(const Scene& scene, const std::string& name) {
-  for (const SceneBody& body : scene.bodies) {
-    if (body.name == name) return body;
-  }
-  throw std::invalid_argument(scene.file + " has no body \"" + name + "\"; allowed is a slider-crank scene");
-}
-
-template <class R>
-mechanisms::SliderCrank<R> mechanism_of(const Scene& scene) {
-  const SceneBody& crank = body_of(scene, "crank");
-  const SceneBody& rod = body_of(scene, "rod");
-  mechanisms::SliderCrank<R> m;
-  m.crank_length = 2 * R(crank.position.x());  // it starts extended, mass centres at mid-length
-  m.rod_length = 2 * (R(rod.position.x()) - m.crank_length);
-  m.crank_mass = R(crank.mass);
-  m.crank_inertia = R(crank.inertia);
-  m.rod_mass = R(rod.mass);
-  m.rod_inertia = R(rod.inertia);
-  m.slider_mass = R(body_of(scene, "slider").mass);
-  return m;
-}
-
-template <class Law, class R>
-mechanisms::LubricatedSliderCrank<Law, R> lubricated(const Scene& scene) {
-  const SceneJoint& joint = scene.joints.at(0);
-  const bool on_rod = joint.bearing.body && scene.bodies[*joint.bearing.body].name == "rod";
-  return {mechanism_of<R>(scene), R(crank_speed_of(scene)),
-          Bearing<R>(R(joint.length), R(joint.journal_radius), R(joint.clearance)), Lubricant<R>(R(joint.viscosity)),
-          on_rod ? mechanisms::BearingOn::rod : mechanisms::BearingOn::slider};
-}
 
 /// Integrates to a time exactly; a trial step beyond the wall is halved.
 template <class R>
@@ -89,7 +58,7 @@ class Integration {
 template <class Law>
 std::vector<ReferenceSample> run_with(const Scene& scene, const std::vector<double>& times, double tolerance) {
   using R = long double;
-  const auto mechanism = lubricated<Law, R>(scene);
+  const auto mechanism = lubricated_slider_crank<Law, R>(scene);
   Integration<R> integration(tolerance);
   DeviationState<R> y{0, 0, 0, 0};
   R t = 0;
@@ -105,7 +74,7 @@ std::vector<ReferenceSample> run_with(const Scene& scene, const std::vector<doub
 
 template <class Law>
 PeriodicOrbit orbit_with(const Scene& scene, const Vector2<double>& last) {
-  const auto mechanism = lubricated<Law, double>(scene);
+  const auto mechanism = lubricated_slider_crank<Law, double>(scene);
   const double period = boost::math::constants::two_pi<double>() / crank_speed_of(scene);
   const auto revolution = [&](const Eigen::Vector4d& start) {
     DeviationState<double> y{start(0), start(1), start(2), start(3)};
@@ -129,7 +98,7 @@ PeriodicOrbit orbit_with(const Scene& scene, const Vector2<double>& last) {
   for (int k = 0; k < 4; ++k) orbit.multipliers.push_back(solver.eigenvalues()(k));
   std::sort(orbit.multipliers.begin(), orbit.multipliers.end(),
             [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
-  orbit.distance = (mechanism.pin(0, {y(0), y(1), y(2), y(3)}).eccentricity - last).norm();
+  orbit.distance = (mechanism.eccentricity(0, y(0), y(1)) - last).norm();
   return orbit;
 }
 

@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lubjoint/dynamics/journal_run.hpp"
+#include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/multibody/assembly.hpp"
+#include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/reports/bench/extended_run.hpp"
+#include "oracle/reports/bench/race.hpp"
+#include "oracle/reports/slider_crank_scene.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+// Three formulations as race problems.
+
+template <FilmLaw Law>
+class JournalProblem final : public RaceProblem<4> {
+ public:
+  JournalProblem(const JournalScene& parts, double velocity_scale)
+      : journal_(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive),
+        start_(parts.start),
+        velocity_scale_(velocity_scale) {}
+
+  void rate(const State& y, State& dydt, const double&) override {
+    ++evaluations_;
+    journal_.rate(y, dydt);
+  }
+  void jacobian(const State& y, Jacobian& j, const double&) override {
+    exact_jacobian([this](const auto& x, auto& dxdt) { journal_.rate(x, dxdt); }, y, j);
+  }
+  void time_slope(const State&, State& slope, const double&) override { slope.fill(0); }
+  State start() const override { return start_; }
+  StepTolerance<double, 4> tolerance(double relative) const override {
+    const double velocity = relative * velocity_scale_;
+    return {relative, {relative, relative, velocity, velocity}, relative};
+  }
+  bool is_admissible(double, const State& y) override {
+    return std::isfinite(y[2]) && std::isfinite(y[3]) && one_minus_squared_norm(y[0], y[1]) > 0;
+  }
+  Vector2<double> looked_at(double, const State& y) override { return {y[0], y[1]}; }
+  std::size_t positions() const override { return 2; }
+  std::size_t evaluations() const override { return evaluations_; }
+
+ private:
+  FreeJournal<Law> journal_;
+  State start_;
+  double velocity_scale_;
+  std::size_t evaluations_ = 0;
+};
+
+/// Deviations of the rod's angle and the slider's position from the ideal mechanism, in clearances, and their rates.
+class MinimalProblem final : public RaceProblem<4> {
+ public:
+  MinimalProblem(const Scene& scene)
+      : mechanism_(lubricated_slider_crank<PinkusSternlicht, double>(scene)),
+        speed_(crank_speed_of(scene)) {}
+
+  void rate(const State& y, State& dydt, const double& t) override {
+    ++evaluations_;
+    evaluate(y, dydt, t);
+  }
+  void jacobian(const State& y, Jacobian& j, const double& t) override {
+    exact_jacobian([this, t](const auto& x, auto& dxdt) { evaluate(x, dxdt, t); }, y, j);
+  }
+  void time_slope(const State& y, State& slope, const double& t) override {
+    // Central differences of order 4 over ±1e-4 and ±2e-4 rad of the crank: 1e-11 of a rate, rounding included.
+    const double h = 1e-4 / speed_;
+    slope.fill(0);
+    State near;
+    for (const auto& [shift, weight] : {std::pair(1.0, 8.0), {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}) {
+      rate(y, near, t + shift * h);
+      for (std::size_t i = 0; i < 4; ++i) slope[i] += weight / (12 * h) * near[i];
+    }
+  }
+  State start() const override { return {0, 0, 0, 0}; }
+  StepTolerance<double, 4> tolerance(double relative) const override {
+    return {relative, {relative, relative, relative * speed_, relative * speed_}, relative};
+  }
+  bool is_admissible(double t, const State& y) override {
+    for (const double each : y) {
+      if (!std::isfinite(each)) return false;
+    }
+    const Vector2<double> e = mechanism_.eccentricity(t, y[0], y[1]);
+    return one_minus_squared_norm(e.x(), e.y()) > 0;
+  }
+  Vector2<double> looked_at(double t, const State& y) override {
+    return mechanism_.eccentricity(t, y[0], y[1]);
+  }
+  std::size_t positions() const override { return 2; }
+  std::size_t evaluations() const override { return evaluations_; }
+
+ private:
+  /// The mechanism counts its rates in crank speeds; here they are per second, ẏ₀ = y₂.
+  template <class T>
+  void evaluate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double t) const {
+    const std::array<T, 4> scaled{y[0], y[1], T(y[2] / speed_), T(y[3] / speed_)};
+    mechanism_.rate(scaled, dydt, t);
+    dydt[2] = T(dydt[2] * speed_);
+    dydt[3] = T(dydt[3] * speed_);
+  }
+
+  mechanisms::LubricatedSliderCrank<PinkusSternlicht, double> mechanism_;
+  double speed_;
+  std::size_t evaluations_ = 0;
+};
+
+class AbsoluteProblem final : public RaceProblem<run_time_size> {
+ public:
+  explicit AbsoluteProblem(const Scene& scene)
+      : scene_(scene), system_(planar_system<double>(scene)), ode_(system_, false), start_(scene_start<double>(scene)) {
+    scene_.energy_ledger = false;
+    assemble_start(system_, 0.0, scene_units(scene).mechanism, start_);
+  }
+
+  void rate(const State& y, State& dydt, const double& t) override { ode_.rate(y, dydt, t); }
+  void jacobian(const State& y, Jacobian& j, const double& t) override { ode_.jacobian(y, j, t); }
+  void time_slope(const State& y, State& slope, const double& t) override { ode_.time_slope(y, slope, t); }
+  State start() const override { return start_; }
+  StepTolerance<double, run_time_size> tolerance(double relative) const override {
+    Scene scene = scene_;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = relative;
+    return {0, scene_tolerances<double>(scene), relative};
+  }
+  bool is_admissible(double, const State& y) override {
+    for (const double each : y) {
+      if (!std::isfinite(each)) return false;
+    }
+    for (const JointElement<double>& joint : system_.joints()) {
+      const Vector2<double> e = eccentricity_of(joint, y);
+      if (joint.film && !(one_minus_squared_norm(e.x(), e.y()) > 0)) return false;
+    }
+    return true;
+  }
+  Vector2<double> looked_at(double, const State& y) override {
+    return system_.joints().empty() ? looked_at_without_joints(scene_, y) : eccentricity_of(system_.joints()[0], y);
+  }
+  std::size_t positions() const override { return system_.coordinates(); }
+  std::size_t evaluations() const override { return ode_.evaluations(); }
+
+ private:
+  PlanarFrame<double> frame(std::size_t body, const State& y) const {
+    if (body == ground_body) return PlanarFrame<double>(ground_motion<double>());
+    return PlanarFrame<double>(PlanarMotion<double>{
+        Vector2<double>(y[3 * body], y[3 * body + 1]), y[3 * body + 2], Vector2<double>(0, 0), 0});
+  }
+  Vector2<double> eccentricity_of(const JointElement<double>& joint, const State& y) const {
+    return joint_kinematics(frame(joint.bearing_at.body, y), joint.bearing_at.point, frame(joint.journal_at.body, y),
+                            joint.journal_at.point)
+               .motion.eccentricity /
+           joint.bearing.clearance();
+  }
+
+  Scene scene_;
+  PlanarSystem<double> system_;
+  MultibodyOde<double> ode_;
+  State start_;
+};
+
+/// Run as `simulate` does it, with events and records: for scenes with contact.
+class SimulatedCase final : public BenchCase {
+ public:
+  SimulatedCase(const Scene& scene, Reference reference) : scene_(scene), reference_(std::move(reference)) {
+    scene_.run.output_interval = bench_times(scene).front();
+  }
+  std::string formulation() const override { return "absolute"; }
+  std::vector<std::string> methods() const override { return {method_names.begin(), method_names.end()}; }
+  MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) override {
+    Scene scene = scene_;
+    scene.integrator = method;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
+    scene.run.max_steps = 1'000'000;
+    MethodRun result;
+    std::vector<double> seconds;
+    double total = 0;
+    for (int i = 0; i < limits.repeats; ++i) {
+      const MultibodyTrajectory run = simulate_multibody(scene);
+      if (i == 0) {
+        result.finished = run.outcome.status == RunStatus::finished;
+        result.message = run.outcome.message;
+        result.steps = run.outcome.steps;
+        result.rejected = run.outcome.rejected_steps;
+        result.rhs_evaluations = run.outcome.rhs_evaluations;
+        result.jacobian_evaluations = run.outcome.jacobian_evaluations;
+        result.factorisations = run.outcome.factorisations;
+        for (std::size_t k = 1; result.finished && k < run.samples.size() && k <= reference_.size(); ++k) {
+          const Vector2<double> e = run.samples[k].joints[0].eccentricity / scene.joints[0].clearance;
+          result.error = std::max(result.error, (e - reference_[k - 1]).norm());
+        }
+        if (!result.finished) return result;
+      }
+      seconds.push_back(run.wall_seconds);
+      total += run.wall_seconds;
+      if (i >= 2 && total > limits.seconds) break;
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
+    result.seconds = seconds[seconds.size() / 2];
+    return result;
+  }
+
+ private:
+  Scene scene_;
+  Reference reference_;
+};
+
+double worst_difference(const Reference& one, const Reference& other) {
+  double worst = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) worst = std::max(worst, (one[i] - other[i]).norm());
+  return worst;
+}
+
+bool has_contact(const Scene& scene) {
+  return std::any_of(scene.joints.begin(), scene.joints.end(), [](const SceneJoint& j) { return j.contact.has_value(); });
+}
+
+/// A slider-crank that starts extended, driven, with one Pinkus–Sternlicht film: it has minimal coordinates.
+bool has_minimal_coordinates(const Scene& scene) {
+  if (scene.joints.size() != 1 || scene.joints[0].film != PinkusSternlicht::name || has_contact(scene)) return false;
+  try {
+    slider_crank_of(scene);
+    return crank_speed_of(scene) > 0;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<double>& times,
+                                        const Reference& reference) {
+  const JournalScene parts = journal_scene(scene);
+  return with_film_law(scene.joints[0].film, [&]<class Law>() -> std::unique_ptr<BenchCase> {
+    if constexpr (PolarLaw<Law>) {
+      throw std::invalid_argument(std::string(Law::name) +
+                                  ": its force jumps, and a race of steps alone has no events; allowed are laws "
+                                  "without a jump, such as its dynamic film");
+    } else {
+      const FreeJournal<Law> journal(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
+      return std::make_unique<RaceCase<4>>(
+          "journal", std::make_unique<JournalProblem<Law>>(parts, detail::rate_scale(journal)), scene.run.duration,
+          times, reference);
+    }
+  });
+}
+
+}  // namespace
+
+std::vector<double> bench_times(const Scene& scene) {
+  std::vector<double> times;
+  constexpr int count = 100;
+  for (int i = 1; i <= count; ++i) times.push_back(scene.run.duration * i / count);
+  return times;
+}
+
+BenchScene bench_scene(const Scene& scene) {
+  BenchScene result;
+  result.name = scene.name;
+  const std::vector<double> times = bench_times(scene);
+  if (is_free_journal(scene)) {
+    const Reference one = extended_journal_run(scene, times, ExtendedMethod::radau);
+    const Reference other = extended_journal_run(scene, times, ExtendedMethod::fehlberg);
+    result.reference_agreement = worst_difference(one, other);
+    result.cases.push_back(journal_case(scene, times, other));
+    return result;
+  }
+  const Reference absolute = extended_multibody_run(scene, times, ExtendedMethod::radau);
+  Reference other;
+  if (has_minimal_coordinates(scene)) {
+    std::vector<double> from_start{0};
+    from_start.insert(from_start.end(), times.begin(), times.end());
+    for (const ReferenceSample& sample : minimal_coordinates_run(scene, from_start, 1e-16)) {
+      other.push_back(sample.eccentricity_ratio);
+    }
+    other.erase(other.begin());
+    result.cases.push_back(
+        std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene), scene.run.duration, times, other));
+  } else {
+    other = extended_multibody_run(scene, times, ExtendedMethod::fehlberg);
+  }
+  result.reference_agreement = worst_difference(absolute, other);
+  if (has_contact(scene)) {
+    result.cases.push_back(std::make_unique<SimulatedCase>(scene, absolute));
+  } else {
+    result.cases.push_back(std::make_unique<RaceCase<run_time_size>>(
+        "absolute", std::make_unique<AbsoluteProblem>(scene), scene.run.duration, times, other));
+  }
+  return result;
+}
+
+}  // namespace lubjoint::reports
