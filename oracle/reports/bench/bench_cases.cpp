@@ -100,6 +100,8 @@ class MinimalProblem final : public RaceProblem<4> {
   void evaluate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double t) const {
     const std::array<T, 4> scaled{y[0], y[1], T(y[2] / speed_), T(y[3] / speed_)};
     mechanism_.rate(scaled, dydt, t);
+    dydt[0] = y[2];
+    dydt[1] = y[3];
     dydt[2] = T(dydt[2] * speed_);
     dydt[3] = T(dydt[3] * speed_);
   }

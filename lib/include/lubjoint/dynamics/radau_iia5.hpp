@@ -1,7 +1,6 @@
 /// Radau IIA of order 5 as an Odeint stepper.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
@@ -11,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lubjoint/dynamics/complex_shift_solver.hpp"
 #include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/radau_tableau.hpp"
+#include "lubjoint/dynamics/shifted_solver.hpp"
 
 namespace lubjoint {
 
@@ -188,10 +187,7 @@ class RadauIIA5 {
   }
 
   void factorise(const R& dt) {
-    shifted_ = -jacobian_;
-    shifted_.diagonal().array() += tableau_.gamma / dt;
-    real_.compute(shifted_);
-    complex_.factorise(jacobian_, tableau_.alpha / dt, tableau_.beta / dt);
+    solver_.factorise(jacobian_, tableau_.gamma / dt, tableau_.alpha / dt, tableau_.beta / dt);
     factorised_for_ = dt;
     ++counts_.factorisations;
   }
@@ -227,10 +223,10 @@ class RadauIIA5 {
       }
       combine(tab.t_inverse, change_, g_);
       right_ = g_[0] - (tab.gamma / h) * w_[0];
-      change_[0].noalias() = real_.solve(right_);
+      solver_.solve(right_, change_[0]);
       change_[1] = g_[1] - (tab.alpha / h) * w_[1] + (tab.beta / h) * w_[2];
       change_[2] = g_[2] - (tab.beta / h) * w_[1] - (tab.alpha / h) * w_[2];
-      complex_.solve_in_place(change_[1], change_[2]);
+      solver_.solve_in_place(change_[1], change_[2]);
       R square(0);
       for (std::size_t i = 0; i < 3; ++i) {
         w_[i] += change_[i];
@@ -279,7 +275,7 @@ class RadauIIA5 {
     combination = (w(0) * z_[0] + w(1) * z_[1] + w(2) * z_[2]) / h;
     right_ = f_ + combination;
     const auto norm = [this] {
-      solution_.noalias() = real_.solve(right_);
+      solver_.solve(right_, solution_);
       return R(sqrt(square_scaled(solution_) / static_cast<R>(size())));
     };
     R estimated = norm();
@@ -351,8 +347,7 @@ class RadauIIA5 {
   Vector f_end_;  ///< at the end of the trial step
   Matrix jacobian_;
   R factorised_for_ = 0;
-  Eigen::PartialPivLU<Matrix> real_;
-  ComplexShiftSolver<R, dimension> complex_;
+  ShiftedSolver<R, dimension> solver_;
   Stages z_;
   int iterations_ = 0;
   R newton_rate_ = 0;
@@ -368,7 +363,6 @@ class RadauIIA5 {
   state_type trial_{};
   Stages w_, g_, change_;
   Vector right_, solution_;
-  Matrix shifted_;
 };
 
 }  // namespace lubjoint
