@@ -43,7 +43,7 @@ class RadauIIA5 {
   static constexpr order_type order() { return 5; }
 
   /// @param absolute_tolerance  one for each state, in the state's own unit
-  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance) : absolute_(absolute_tolerance) {
+  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance) : absolute_(absolute_tolerance), solver_(size()) {
     using std::pow;
     if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
       throw std::invalid_argument("relative tolerance of radau_iia5: allowed is a number in (0, 1)");
@@ -57,6 +57,12 @@ class RadauIIA5 {
       absolute_[i] = absolute_tolerance[i] / relative_tolerance * relative_;
     }
     using std::sqrt;
+    // Work of every size at once: no step allocates, and a copy copies numbers.
+    jacobian_.setZero(size(), size());
+    for (Vector* v : {&scale_, &f_, &f_end_, &right_, &solution_}) v->setZero(size());
+    for (Stages* stages : {&z_, &z_old_, &w_, &g_, &change_}) {
+      for (Vector& v : *stages) v.setZero(size());
+    }
     newton_tolerance_ =
         std::max<R>(10 * std::numeric_limits<R>::epsilon() / relative_, std::min<R>(R(0.03), sqrt(relative_)));
   }
@@ -156,11 +162,6 @@ class RadauIIA5 {
     x_ = x;
     t_ = t;
     rate_ = trial_ = x;
-    jacobian_.resize(size(), size());
-    for (Vector* v : {&scale_, &f_, &f_end_, &right_, &solution_}) v->resize(size());
-    for (Stages* stages : {&z_, &z_old_, &w_, &g_, &change_}) {
-      for (Vector& v : *stages) v.resize(size());
-    }
     started_ = true;
     rate_is_current_ = false;
     jacobian_is_usable_ = false;

@@ -12,30 +12,32 @@ class ScaledSystem {
   using System = OdeSystem<R, N>;
   using State = StateOf<R, N>;
 
-  explicit ScaledSystem(const StepTolerance<R, N>& tolerance) : scale_(tolerance.absolute), y_(scale_) {
+  explicit ScaledSystem(const StepTolerance<R, N>& tolerance) : scale_(tolerance.absolute), y_(scale_), rate_(scale_) {
     for (R& s : scale_) s /= tolerance.nominal;
   }
 
-  void scale(const State& y, State& z) const {
-    z = y;
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] /= scale_[i];
+  /// @tparam Scaled  the state type of z
+  template <class Scaled>
+  void scale(const State& y, Scaled& z) const {
+    for (std::size_t i = 0; i < y.size(); ++i) z[i] = y[i] / scale_[i];
   }
-  void unscale(const State& z, State& y) const {
-    y = z;
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] *= scale_[i];
+  template <class Scaled>
+  void unscale(const Scaled& z, State& y) const {
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = z[i] * scale_[i];
   }
 
   /// dz/dt of the system at z.
-  void rate(System& system, const State& z, State& dzdt, const R& t) {
+  template <class Scaled>
+  void rate(System& system, const Scaled& z, Scaled& dzdt, const R& t) {
     unscale(z, y_);
-    system.rate(y_, dzdt, t);
-    for (std::size_t i = 0; i < dzdt.size(); ++i) dzdt[i] /= scale_[i];
+    system.rate(y_, rate_, t);
+    scale(rate_, dzdt);
   }
   const State& scales() const { return scale_; }
 
  private:
   State scale_;
-  State y_;
+  State y_, rate_;
 };
 
 }  // namespace lubjoint

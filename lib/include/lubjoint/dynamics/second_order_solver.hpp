@@ -35,7 +35,7 @@ class SecondOrderSolver {
     }
   }
 
-  /// @param r  in its first 2m elements the right-hand side, replaced by x; @returns nothing for w: see below
+  /// @param r  in its first 2m elements the right-hand side, replaced by x_q and x_v; w's rows are the caller's
   template <class Right>
   void solve_in_place(Right&& r, Eigen::Index m) {
     r_q_ = r.segment(0, m);
@@ -53,11 +53,17 @@ class SecondOrderSolver {
  private:
   static constexpr bool small = M == 1 || M == 2;
 
+  static constexpr Eigen::Index start_size = M == Eigen::Dynamic ? 0 : M;
+
+  struct Nothing {};
   S shift_{};
-  Block b_, k_;
-  std::conditional_t<small, Block, char> inverse_;
-  Eigen::PartialPivLU<Block> lu_;
-  Vector r_q_, right_, x_q_;
+  Block b_ = Block::Zero(start_size, start_size);
+  Block k_ = b_;
+  Block inverse_ = b_;  ///< of small ones
+  [[no_unique_address]] std::conditional_t<small, Nothing, Eigen::PartialPivLU<Block>> lu_;
+  Vector r_q_ = Vector::Zero(start_size);
+  Vector right_ = r_q_;
+  Vector x_q_ = r_q_;
 };
 
 /// Number of coordinates of a Jacobian of that form; 0 if it is of another.

@@ -14,6 +14,8 @@ class ShiftedSolver {
   using Vector = Eigen::Matrix<R, N, 1>;
   using Matrix = Eigen::Matrix<R, N, N>;
 
+  explicit ShiftedSolver(Eigen::Index n) : shifted_(Matrix::Identity(n, n)), real_(shifted_), complex_(n) {}
+
   /// @param jacobian  kept by reference until the next call
   void factorise(const Matrix& jacobian, const R& gamma, const R& alpha, const R& beta) {
     gamma_ = gamma;
@@ -88,7 +90,7 @@ class ShiftedSolver {
   const Matrix* jacobian_ = nullptr;
   SecondOrderSolver<R, half> real_reduced_;
   SecondOrderSolver<Complex, half> complex_reduced_;
-  Eigen::Matrix<Complex, N, 1> both_;
+  Eigen::Matrix<Complex, N, 1> both_ = Eigen::Matrix<Complex, N, 1>::Zero(N == Eigen::Dynamic ? 0 : N);
   Matrix shifted_;
   Eigen::PartialPivLU<Matrix> real_;
   ComplexShiftSolver<R, N> complex_;
