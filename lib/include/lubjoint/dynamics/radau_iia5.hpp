@@ -64,7 +64,7 @@ class RadauIIA5 {
       for (Vector& v : *stages) v.setZero(size());
     }
     newton_tolerance_ =
-        std::max<R>(10 * std::numeric_limits<R>::epsilon() / relative_, std::min<R>(R(0.03), sqrt(relative_)));
+        std::max<R>(std::numeric_limits<R>::epsilon() / relative_, std::min<R>(R(0.03), sqrt(relative_)));
   }
 
   /// Leaves the relative tolerance out of the test of a step: for states whose size says nothing of the digits that
