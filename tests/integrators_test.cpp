@@ -1,8 +1,9 @@
+#include "lubjoint/dynamics/integrators.hpp"
+
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/integrate/integrate_const.hpp>
 #include <catch2/catch.hpp>
 
-#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/dynamics/radau_iia5_dense.hpp"
 #include "support/initial_value_problems.hpp"
 
@@ -98,7 +99,8 @@ TEST_CASE("Integrators: observed order of every method of fixed order, autonomou
     double order;
     int steps;
   };
-  for (const Expected& each : {Expected{"rosenbrock4", 4, 40}, Expected{"dopri5", 5, 40}, Expected{"fehlberg78", 8, 6}}) {
+  for (const Expected& each :
+       {Expected{"rosenbrock4", 4, 40}, Expected{"dopri5", 5, 40}, Expected{"fehlberg78", 8, 6}}) {
     const double autonomous = std::log2(fixed_step_error<Logistic<double>>(each.name, each.steps) /
                                         fixed_step_error<Logistic<double>>(each.name, 2 * each.steps));
     const double driven = std::log2(fixed_step_error<Driven<double>>(each.name, 2 * each.steps) /
@@ -111,8 +113,8 @@ TEST_CASE("Integrators: observed order of every method of fixed order, autonomou
     CHECK(driven < each.order + 1.5);
   }
   // Radau's stages need a tolerance: its order is seen along a series of them.
-  for (const double observed : {order_of<Logistic<double>>("radau_iia5", 1e-5, 1e-11),
-                                order_of<Driven<double>>("radau_iia5", 1e-5, 1e-11)}) {
+  for (const double observed :
+       {order_of<Logistic<double>>("radau_iia5", 1e-5, 1e-11), order_of<Driven<double>>("radau_iia5", 1e-5, 1e-11)}) {
     CHECK(observed > 4.3);  // 5, less what the step control scatters over six decades
     CHECK(observed < 6);
   }

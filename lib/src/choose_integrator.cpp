@@ -44,7 +44,8 @@ double spectral_radius(const Eigen::MatrixXd& jacobian, const std::vector<double
 }
 
 IntegratorChoice choose_integrator(const StiffnessMeasure& measure, double relative_tolerance) {
-  if (!measure.pilot_finished) return {"radau_iia5", "a pilot run did not finish, which asks for the method that bears most"};
+  if (!measure.pilot_finished)
+    return {"radau_iia5", "a pilot run did not finish, which asks for the method that bears most"};
   // Order 5: steps grow with the fifth root of the tolerance.
   const double accuracy_steps = measure.pilot_steps * std::pow(pilot_tolerance / relative_tolerance, 0.2);
   const double stability_steps = measure.stability_steps / stability_reach;

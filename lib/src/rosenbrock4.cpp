@@ -36,9 +36,7 @@ Rosenbrock4::~Rosenbrock4() = default;
 bool Rosenbrock4::try_step(const RosenbrockProblem& problem, double* z, double& t, double& dt) {
   Vector& state = implementation_->state;
   std::copy(z, z + state.size(), state.begin());
-  const auto rate = [&](const Vector& x, Vector& dxdt, double s) {
-    problem.rate(problem.context, &x[0], &dxdt[0], s);
-  };
+  const auto rate = [&](const Vector& x, Vector& dxdt, double s) { problem.rate(problem.context, &x[0], &dxdt[0], s); };
   const auto derivatives = [&](const Vector& x, Matrix& j, double s, Vector& slope) {
     problem.derivatives(problem.context, &x[0], &j.data()[0], &slope[0], s);
   };

@@ -29,7 +29,7 @@ void add_reproduce(CLI::App& app, Action& action) {
       std::cout << '\n';
       for (const reports::Example1Law& item : example.laws) {
         const std::string warning =
-            reports::model_warning(item.scene, reports::visited_model_error(item.scene, item.run));
+            reports::model_warning(item.scene.joints[0], reports::visited_model_error(item.scene, item.run));
         if (!warning.empty()) std::cout << warning << '\n';
       }
       const reports::Example2 second = reports::run_example_2(options->scenes);

@@ -27,6 +27,12 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<std::
   }
 }
 
+/// Where the film model itself is in doubt.
+void warn(const SceneJoint& joint, const reports::VisitedModelError& error) {
+  const std::string warning = reports::model_warning(joint, error);
+  if (!warning.empty()) std::cerr << warning << '\n';
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
@@ -49,12 +55,14 @@ void add_simulate(CLI::App& app, Action& action) {
       if (is_free_journal(scene)) {
         const JournalTrajectory run = simulate_journal(scene);
         report(scene, run, options->out, options->json);
-        const std::string warning = reports::model_warning(scene, reports::visited_model_error(scene, run));
-        if (!warning.empty()) std::cerr << warning << '\n';
+        warn(scene.joints[0], reports::visited_model_error(scene, run));
         return run.outcome.status == RunStatus::finished ? 0 : 1;
       }
       const MultibodyTrajectory run = simulate_multibody(scene);
       report(scene, run, options->out, options->json);
+      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        warn(scene.joints[j], reports::visited_model_error(scene, j, run));
+      }
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };
   });

@@ -120,8 +120,8 @@ class LubricatedSliderCrank {
     // The slider does not turn: the mean spin is half the rod's. u = ė/c − ω̄ (e/c)⊥.
     const T mean_spin = now.rod_rate / R(2);
     const Vector2<T>& e = now.pin.eccentricity;
-    const FilmState<T> film(e, Vector2<T>(T(now.pin.velocity.x() + mean_spin * e.y()),
-                                          T(now.pin.velocity.y() - mean_spin * e.x())));
+    const FilmState<T> film(
+        e, Vector2<T>(T(now.pin.velocity.x() + mean_spin * e.y()), T(now.pin.velocity.y() - mean_spin * e.x())));
     const Vector2<T> ratio = force_ratio<Law>(film);
     now.pin.force = {T(scale_ * ratio.x()), T(scale_ * ratio.y())};
     now.on_slider = {T(sign * now.pin.force.x()), T(sign * now.pin.force.y())};

@@ -4,9 +4,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/reports/progress.hpp"
@@ -169,24 +171,23 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
   return states;
 }
 
-VisitedModelError visited_model_error(const Scene& scene, const JournalTrajectory& run, std::size_t states) {
+namespace {
+
+/// Error of a joint's law at each of some films.
+VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<double>>& films) {
+  const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
+  const Lubricant<double> oil(joint.viscosity);
   VisitedModelError result;
-  if (run.samples.size() < 2) return result;
-  const JournalScene parts = journal_scene(scene);
-  const double spin = parts.drive.mean_spin();
   std::vector<double> errors;
-  for (std::size_t i = 1; i <= states; ++i) {
-    const JournalSample& sample = run.samples[i * (run.samples.size() - 1) / states];
-    const auto& y = sample.state;
-    const FilmState<double> film(Vector2<double>(y[0], y[1]), Vector2<double>(y[2] + spin * y[1], y[3] - spin * y[0]));
+  for (const FilmState<double>& film : films) {
+    const double ratio = film.eccentricity.norm();
     // A film at rest has no force to be wrong; beyond 0.99 the finite-length film is not resolved cheaply.
-    if (is_zero(film.velocity) || is_zero(film.eccentricity) || sample.eccentricity_ratio() > 0.99) continue;
+    if (is_zero(film.velocity) || is_zero(film.eccentricity) || !(ratio <= 0.99)) continue;
     const PolarFilmState<double> state = polar_view(film).state;
-    const auto force = finite_length_force(oracle::FiniteFilm::finite_reynolds, parts.bearing, parts.oil, state,
+    const auto force = finite_length_force(oracle::FiniteFilm::finite_reynolds, bearing, oil, state,
                                            {1e-2, oracle::FilmOnset::free});
-    const double error = with_film_law(scene.joints.front().film, [&]<class Law>() {
-      return difference(film_force<Law>(parts.bearing, parts.oil, state), force).error;
-    });
+    const double error = with_film_law(
+        joint.film, [&]<class Law>() { return difference(film_force<Law>(bearing, oil, state), force).error; });
     errors.push_back(error);
     if (error > result.largest) {
       result.largest = error;
@@ -196,6 +197,51 @@ VisitedModelError visited_model_error(const Scene& scene, const JournalTrajector
   result.states = errors.size();
   if (!errors.empty()) result.median = median(errors);
   return result;
+}
+
+/// Some samples of a run, evenly spaced, the first left out.
+template <class Sample>
+std::vector<Sample> some_of(const std::vector<Sample>& samples, std::size_t states) {
+  std::vector<Sample> some;
+  if (samples.size() < 2) return some;
+  for (std::size_t i = 1; i <= states; ++i) some.push_back(samples[i * (samples.size() - 1) / states]);
+  return some;
+}
+
+PlanarMotion<double> motion_of(const std::optional<std::size_t>& body, const std::vector<double>& state) {
+  if (!body) return ground_motion<double>();
+  const double* q = state.data() + 3 * *body;
+  const double* v = q + state.size() / 2;
+  return {Vector2<double>(q[0], q[1]), q[2], Vector2<double>(v[0], v[1]), v[2]};
+}
+
+}  // namespace
+
+VisitedModelError visited_model_error(const Scene& scene, const JournalTrajectory& run, std::size_t states) {
+  const double spin = journal_scene(scene).drive.mean_spin();
+  std::vector<FilmState<double>> films;
+  for (const JournalSample& sample : some_of(run.samples, states)) {
+    const auto& y = sample.state;
+    films.emplace_back(Vector2<double>(y[0], y[1]), Vector2<double>(y[2] + spin * y[1], y[3] - spin * y[0]));
+  }
+  return error_at(scene.joints.front(), films);
+}
+
+VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run,
+                                      std::size_t states) {
+  const SceneJoint& at = scene.joints[joint];
+  if (at.film == no_film) return {};
+  std::vector<FilmState<double>> films;
+  for (const MultibodySample& sample : some_of(run.samples, states)) {
+    const JournalMotion<double> motion =
+        joint_kinematics(motion_of(at.bearing.body, sample.state), at.bearing.point,
+                         motion_of(at.journal.body, sample.state), at.journal.point)
+            .motion;
+    const Vector2<double> e = motion.eccentricity / at.clearance;
+    if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact
+    films.push_back(film_state(motion, at.clearance));
+  }
+  return error_at(at, films);
 }
 
 }  // namespace lubjoint::reports

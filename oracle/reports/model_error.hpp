@@ -82,9 +82,12 @@ struct VisitedModelError {
 
 /// @param states  how many samples of the run to look at, evenly spaced
 VisitedModelError visited_model_error(const Scene& scene, const JournalTrajectory& run, std::size_t states = 7);
+/// The same of one joint of a multibody run; a dry one has no states.
+VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run,
+                                      std::size_t states = 7);
 
 /// One sentence if the law is more than 25 % off at half of the visited states or more; else empty.
-std::string model_warning(const Scene& scene, const VisitedModelError& error);
+std::string model_warning(const SceneJoint& joint, const VisitedModelError& error);
 
 std::string model_error_table(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
                               const std::vector<LoadedState>& loaded);

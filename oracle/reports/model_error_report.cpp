@@ -49,9 +49,8 @@ std::string within_sentences(const std::vector<ModelErrorSummary>& summaries, or
 
 }  // namespace
 
-std::string model_warning(const Scene& scene, const VisitedModelError& error) {
+std::string model_warning(const SceneJoint& joint, const VisitedModelError& error) {
   if (error.states == 0 || error.median <= 0.25) return {};
-  const SceneJoint& joint = scene.joints.front();
   return fmt::format(
       "warning: at the states that this run visits, law {} of joint \"{}\" is {:.0f} % off the force of a film of the "
       "bearing's real length, L/D = {:.2f} (median of {} states; largest {:.0f} %, at eccentricity ratio {:.3f}). "

@@ -14,8 +14,8 @@ namespace lubjoint::reports {
 struct MethodRun {
   bool finished = false;
   std::string message;  ///< why it stopped
-  double error = 0;     ///< largest |e − e_ref| over c at the reference's times (no joint: of a coordinate, over its unit)
-  double seconds = 0;   ///< median of the repeats, integration alone
+  double error = 0;  ///< largest |e − e_ref| over c at the reference's times (no joint: of a coordinate, over its unit)
+  double seconds = 0;  ///< median of the repeats, integration alone
   std::size_t steps = 0;
   std::size_t rejected = 0;
   std::size_t rhs_evaluations = 0;

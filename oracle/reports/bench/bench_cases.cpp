@@ -57,8 +57,7 @@ class JournalProblem final : public RaceProblem<4> {
 class MinimalProblem final : public RaceProblem<4> {
  public:
   MinimalProblem(const Scene& scene)
-      : mechanism_(lubricated_slider_crank<PinkusSternlicht, double>(scene)),
-        speed_(crank_speed_of(scene)) {}
+      : mechanism_(lubricated_slider_crank<PinkusSternlicht, double>(scene)), speed_(crank_speed_of(scene)) {}
 
   void rate(const State& y, State& dydt, const double& t) override {
     ++evaluations_;
@@ -88,9 +87,7 @@ class MinimalProblem final : public RaceProblem<4> {
     const Vector2<double> e = mechanism_.eccentricity(t, y[0], y[1]);
     return one_minus_squared_norm(e.x(), e.y()) > 0;
   }
-  Vector2<double> looked_at(double t, const State& y) override {
-    return mechanism_.eccentricity(t, y[0], y[1]);
-  }
+  Vector2<double> looked_at(double t, const State& y) override { return mechanism_.eccentricity(t, y[0], y[1]); }
   std::size_t positions() const override { return 2; }
   std::size_t evaluations() const override { return evaluations_; }
 
@@ -147,8 +144,8 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
  private:
   PlanarFrame<double> frame(std::size_t body, const State& y) const {
     if (body == ground_body) return PlanarFrame<double>(ground_motion<double>());
-    return PlanarFrame<double>(PlanarMotion<double>{
-        Vector2<double>(y[3 * body], y[3 * body + 1]), y[3 * body + 2], Vector2<double>(0, 0), 0});
+    return PlanarFrame<double>(
+        PlanarMotion<double>{Vector2<double>(y[3 * body], y[3 * body + 1]), y[3 * body + 2], Vector2<double>(0, 0), 0});
   }
   Vector2<double> eccentricity_of(const JointElement<double>& joint, const State& y) const {
     return joint_kinematics(frame(joint.bearing_at.body, y), joint.bearing_at.point, frame(joint.journal_at.body, y),
@@ -216,7 +213,8 @@ double worst_difference(const Reference& one, const Reference& other) {
 }
 
 bool has_contact(const Scene& scene) {
-  return std::any_of(scene.joints.begin(), scene.joints.end(), [](const SceneJoint& j) { return j.contact.has_value(); });
+  return std::any_of(scene.joints.begin(), scene.joints.end(),
+                     [](const SceneJoint& j) { return j.contact.has_value(); });
 }
 
 /// A slider-crank that starts extended, driven, with one Pinkus–Sternlicht film: it has minimal coordinates.
@@ -240,9 +238,9 @@ std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<do
                                   "without a jump, such as its dynamic film");
     } else {
       const FreeJournal<Law> journal(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
-      return std::make_unique<RaceCase<4>>(
-          "journal", std::make_unique<JournalProblem<Law>>(parts, detail::rate_scale(journal)), scene.run.duration,
-          times, reference);
+      return std::make_unique<RaceCase<4>>("journal",
+                                           std::make_unique<JournalProblem<Law>>(parts, detail::rate_scale(journal)),
+                                           scene.run.duration, times, reference);
     }
   });
 }
@@ -276,8 +274,8 @@ BenchScene bench_scene(const Scene& scene) {
       other.push_back(sample.eccentricity_ratio);
     }
     other.erase(other.begin());
-    result.cases.push_back(
-        std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene), scene.run.duration, times, other));
+    result.cases.push_back(std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene),
+                                                         scene.run.duration, times, other));
   } else {
     other = extended_multibody_run(scene, times, ExtendedMethod::fehlberg);
   }

@@ -35,9 +35,10 @@ template <FilmLaw Law>
 class ExtendedJournal final : public OdeSystem<Real, 4> {
  public:
   explicit ExtendedJournal(const JournalScene& p)
-      : journal_(LubricatedJoint<Law, Real>(Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
-                                            Lubricant<Real>(p.oil.viscosity())),
-                 {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
+      : journal_(
+            LubricatedJoint<Law, Real>(Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
+                                       Lubricant<Real>(p.oil.viscosity())),
+            {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
   void rate(const State& y, State& dydt, const Real&) override { journal_.rate(y, dydt); }
   void jacobian(const State& y, Jacobian& j, const Real&) override {
     exact_jacobian([this](const auto& x, auto& dxdt) { journal_.rate(x, dxdt); }, y, j);
@@ -92,10 +93,9 @@ Reference extended_multibody_run(const Scene& given, const std::vector<double>& 
   assemble_start<Real>(system, Real(0), Real(scene_units(scene).mechanism), start);
   MultibodyOde<Real> ode(system, false);
   const Real nominal(scene.run.relative_tolerance);
-  MultibodyRun<Real> run(ode, scene.run,
-                         integrator_of<run_time_size>(method, {Real(0), scene_tolerances<Real>(scene), nominal}),
-                         scene.stabilisation.projection ? ConstraintUpkeep::by_projection
-                                                        : ConstraintUpkeep::by_accelerations);
+  MultibodyRun<Real> run(
+      ode, scene.run, integrator_of<run_time_size>(method, {Real(0), scene_tolerances<Real>(scene), nominal}),
+      scene.stabilisation.projection ? ConstraintUpkeep::by_projection : ConstraintUpkeep::by_accelerations);
   const RunOutcome outcome = run.run(start);
   if (outcome.status != RunStatus::finished) {
     throw std::runtime_error(scene.name + ": the reference in extended precision " + outcome.message);

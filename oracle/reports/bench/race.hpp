@@ -22,9 +22,9 @@ class RaceProblem : public OdeSystem<double, N> {
 
   virtual State start() const = 0;
   virtual StepTolerance<double, N> tolerance(double relative) const = 0;
-  virtual bool is_admissible(double t, const State& y) = 0;             ///< a film exists, every number is one
+  virtual bool is_admissible(double t, const State& y) = 0;         ///< a film exists, every number is one
   virtual Vector2<double> looked_at(double t, const State& y) = 0;  ///< in clearances
-  virtual std::size_t positions() const = 0;                            ///< of the states, the first ones
+  virtual std::size_t positions() const = 0;                        ///< of the states, the first ones
   virtual std::size_t evaluations() const = 0;
 };
 

@@ -51,7 +51,8 @@ class Ledger {
     };
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const auto text = [&](const char* column) { return std::string(table.field(i, table.column(column))); };
-      BenchRow row{text("scene"), text("formulation"), text("integrator"), table.number(i, table.column("tolerance")), {}};
+      BenchRow row{
+          text("scene"), text("formulation"), text("integrator"), table.number(i, table.column("tolerance")), {}};
       row.run.finished = text("status") == "finished";
       row.run.message = text("message");
       if (row.run.finished) {
@@ -173,8 +174,7 @@ std::optional<double> seconds_at_error(const SceneBench& bench, const std::strin
     if (row->run.error <= error) {
       consider(row->run.seconds);
       if (before && before->run.error > error && row->run.error > 0) {
-        const double share =
-            std::log(before->run.error / error) / std::log(before->run.error / row->run.error);
+        const double share = std::log(before->run.error / error) / std::log(before->run.error / row->run.error);
         consider(before->run.seconds * std::pow(row->run.seconds / before->run.seconds, share));
       }
     }
@@ -199,8 +199,9 @@ std::string scene_bench_csv(const SceneBench& bench) {
 }
 
 std::string scene_bench_table(const SceneBench& bench) {
-  std::string text = "Milliseconds to reach an error of the journal's position (in clearances), between tolerances on a "
-                     "log-log line; integration alone\n";
+  std::string text =
+      "Milliseconds to reach an error of the journal's position (in clearances), between tolerances on a "
+      "log-log line; integration alone\n";
   for (const std::string& scene : names(bench, [](const BenchRow& r) { return r.scene; })) {
     for (const BenchReference& reference : bench.references) {
       if (reference.scene == scene) {
@@ -230,8 +231,7 @@ std::string scene_bench_table(const SceneBench& bench) {
                             against(1e-5), against(1e-9));
         for (const double target : targets) {
           const auto seconds = at(target);
-          if (seconds && !is_sundials_method(method) &&
-              (!fastest.count(target) || *seconds < fastest[target].first)) {
+          if (seconds && !is_sundials_method(method) && (!fastest.count(target) || *seconds < fastest[target].first)) {
             fastest[target] = {*seconds, method};
           }
         }
@@ -255,8 +255,9 @@ void draw_scene_bench(const SceneBench& bench, const std::filesystem::path& fold
         names(bench, [&](const BenchRow& r) { return r.scene == scene ? r.formulation : std::string(); });
     for (const std::string& formulation : formulations) {
       Plot plot;
-      plot.script = "set logscale xy\nset format '10^{%L}'\nset xlabel 'run time [s]'\nset key outside right\n"
-                    "set ylabel 'largest error of the journal''s position [clearances]'\nset grid\n";
+      plot.script =
+          "set logscale xy\nset format '10^{%L}'\nset xlabel 'run time [s]'\nset key outside right\n"
+          "set ylabel 'largest error of the journal''s position [clearances]'\nset grid\n";
       plot.script += fmt::format("set title '{}: {} coordinates' noenhanced\n", scene, formulation);
       std::string lines;
       int style = 0;

@@ -15,8 +15,8 @@ struct SundialsProblem {
   std::vector<double> absolute_tolerance;
   double relative_tolerance = 0;
   double duration = 0;
-  std::vector<double> times;                                                ///< to observe; none: when it is timed
-  std::function<void(double t, const double* y, double* dydt)> rate;        ///< std::domain_error: the step is too long
+  std::vector<double> times;                                          ///< to observe; none: when it is timed
+  std::function<void(double t, const double* y, double* dydt)> rate;  ///< std::domain_error: the step is too long
   std::function<void(double t, const double* y)> observe;
 };
 

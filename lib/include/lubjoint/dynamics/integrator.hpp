@@ -30,7 +30,7 @@ class OdeSystem {
 
   virtual ~OdeSystem() = default;
   virtual void rate(const State& y, State& dydt, const R& t) = 0;
-  virtual void jacobian(const State& y, Jacobian& j, const R& t) = 0;  ///< ∂f/∂y
+  virtual void jacobian(const State& y, Jacobian& j, const R& t) = 0;     ///< ∂f/∂y
   virtual void time_slope(const State& y, State& slope, const R& t) = 0;  ///< ∂f/∂t
 };
 

@@ -84,10 +84,10 @@ class JournalRun {
     for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
     const auto method = make_integrator<n>(outcome_.integrator, tolerance);
     const std::size_t looks = method->looks_inside();
-    const ModeResult result =
-        ModeRun<Mode>(mode, *method, settings_, outcome_).run(t_, y, dt_, [&](double a, double b, const auto& state_at) {
-          recorder_.step(mode, a, b, state_at, looks);
-        });
+    const ModeResult result = ModeRun<Mode>(mode, *method, settings_, outcome_)
+                                  .run(t_, y, dt_, [&](double a, double b, const auto& state_at) {
+                                    recorder_.step(mode, a, b, state_at, looks);
+                                  });
     outcome_.jacobian_evaluations += method->counts().jacobians;
     outcome_.factorisations += method->counts().factorisations;
     return result;
@@ -97,7 +97,8 @@ class JournalRun {
   void conclude(const Mode& mode, const ModeResult& result, const State& y) {
     if (result.end != ModeEnd::duration_reached) {
       outcome_.status = RunStatus::stopped;
-      outcome_.message = detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_, outcome_.integrator);
+      outcome_.message =
+          detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_, outcome_.integrator);
     }
     recorder_.finish(mode, t_, y);
   }

@@ -9,8 +9,8 @@
 
 #include "lubjoint/dynamics/multibody_ode.hpp"
 #include "lubjoint/dynamics/multibody_results.hpp"
-#include "lubjoint/dynamics/outcome.hpp"
 #include "lubjoint/dynamics/multibody_step.hpp"
+#include "lubjoint/dynamics/outcome.hpp"
 
 namespace lubjoint {
 
@@ -30,12 +30,18 @@ JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& forc
 template <class R>
 class PeakTracker {
  public:
-  void consider(double value, const R& t, const std::shared_ptr<const MultibodyStep<R>>& step) {
+  /// @param confirm  the value by the method itself: in a thin film an interpolant can show a peak that is none
+  template <class Confirm>
+  void consider(double value, const R& t, const std::shared_ptr<const MultibodyStep<R>>& step, const Confirm& confirm) {
     if (at_step_end_ && step != step_) {
       next_ = step;
       at_step_end_ = false;
     }
     if (known_ && value <= value_) return;
+    if (t != step->t_new) {
+      value = confirm();
+      if (known_ && value <= value_) return;
+    }
     known_ = true;
     value_ = value;
     t_ = t;
@@ -45,9 +51,9 @@ class PeakTracker {
     at_step_end_ = t == step->t_new;
   }
 
-  /// @param quantity  quantity(interpolant, t)
-  template <class Quantity>
-  Peak peak(std::size_t pieces, const Quantity& quantity) const {
+  /// @param quantity  quantity(interpolant, t);  @param confirm  the same by the method itself
+  template <class Quantity, class Confirm>
+  Peak peak(std::size_t pieces, const Quantity& quantity, const Confirm& confirm) const {
     if (!known_) return {0, 0};
     Peak best{value_, static_cast<double>(t_)};
     const auto search = [&](const MultibodyStep<R>& step) {
@@ -57,7 +63,10 @@ class PeakTracker {
       if (!(high > low)) return;
       const auto found = boost::math::tools::brent_find_minima(
           [&](double s) { return -quantity(step, R(step.t_old + R(s))); }, low, high, 30);
-      if (-found.second > best.value) best = {-found.second, static_cast<double>(step.t_old) + found.first};
+      if (!(-found.second > best.value)) return;
+      const R at = step.t_old + R(found.first);
+      const double value = confirm(step, at);
+      if (value > best.value) best = {value, static_cast<double>(at)};
     };
     if (before_) search(*before_);
     search(*step_);
@@ -84,6 +93,7 @@ class MultibodyRecorder {
       if (ode.system().constraints()[c].is_driver()) drivers_.push_back(c);
     }
     trackers_.resize(trackers_.size() + 2 * drivers_.size());
+    values_.resize(trackers_.size());
   }
 
   void start(const R& t, const std::vector<R>& y) {
@@ -93,7 +103,9 @@ class MultibodyRecorder {
     start_energy_ = energy.kinetic + energy.potential;
   }
 
-  void step(const std::shared_ptr<const MultibodyStep<R>>& step) {
+  /// @param by_method  by_method(step, t, y) puts the state inside a step into y by the integrator itself
+  template <class ByMethod>
+  void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
     const std::size_t n = ode_.system().coordinates();
     for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
          t = output_time(++next_)) {
@@ -111,21 +123,29 @@ class MultibodyRecorder {
         step->state_at(t, n, state_);
       }
       const SystemWorkspace<R>& w = ode_.at(t, state_, step->memory);
-      std::size_t k = 0;
-      for (std::size_t j = 0; j < w.joints.size(); ++j) {
-        trackers_[k++].consider(distance(w, j), t, step);
-        trackers_[k++].consider(force(w, j), t, step);
-      }
-      for (const std::size_t c : drivers_) {
-        trackers_[k++].consider(moment(w, c), t, step);
-        trackers_[k++].consider(-moment(w, c), t, step);
-      }
+      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w);
       if (i == pieces_) note_drift(w, step->y_new);
+      for (std::size_t k = 0; k < trackers_.size(); ++k) {
+        trackers_[k].consider(values_[k], t, step, [&] { return by(by_method, *step, t, k); });
+      }
     }
   }
 
-  void finish(const R& t, const std::vector<R>& y) {
+  template <class ByMethod>
+  void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
     if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
+    std::size_t k = 0;
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      const Peak eccentricity = peak(k++, by_method);
+      const Peak force = peak(k++, by_method);
+      joint_extremes_.push_back({eccentricity, force});
+    }
+    for (std::size_t d = 0; d < drivers_.size(); ++d) {
+      const Peak high = peak(k++, by_method);
+      Peak low = peak(k++, by_method);
+      low.value = -low.value;
+      driver_extremes_.push_back({high, low});
+    }
   }
 
   const std::vector<MultibodySample>& samples() const { return samples_; }
@@ -133,47 +153,42 @@ class MultibodyRecorder {
   double energy_residual() const { return energy_residual_; }
   double energy_scale() const { return energy_scale_; }
 
-  std::vector<JointExtremes> joint_extremes() const {
-    std::vector<JointExtremes> result;
-    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
-      result.push_back({peak(2 * j, [&](const auto& w) { return distance(w, j); }),
-                        peak(2 * j + 1, [&](const auto& w) { return force(w, j); })});
-    }
-    return result;
-  }
-
-  std::vector<DriverExtremes> driver_extremes() const {
-    std::vector<DriverExtremes> result;
-    std::size_t k = 2 * ode_.system().joints().size();
-    for (const std::size_t c : drivers_) {
-      const Peak high = peak(k++, [&](const auto& w) { return moment(w, c); });
-      Peak low = peak(k++, [&](const auto& w) { return -moment(w, c); });
-      low.value = -low.value;
-      result.push_back({high, low});
-    }
-    return result;
-  }
+  const std::vector<JointExtremes>& joint_extremes() const { return joint_extremes_; }
+  const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
 
  private:
   double output_time(std::size_t i) const { return static_cast<double>(i) * settings_.output_interval; }
 
-  static double distance(const SystemWorkspace<R>& w, std::size_t joint) {
-    return static_cast<double>(w.joints[joint].kinematics.motion.eccentricity.norm());
-  }
-  static double force(const SystemWorkspace<R>& w, std::size_t joint) {
-    return static_cast<double>(w.joints[joint].total().norm());
-  }
   double moment(const SystemWorkspace<R>& w, std::size_t driver) const {
     return static_cast<double>(ode_.system().reaction_on_second(driver, w)[2]);
   }
 
-  template <class Quantity>
-  Peak peak(std::size_t tracker, const Quantity& quantity) const {
-    std::vector<R> y;
-    return trackers_[tracker].peak(pieces_, [&](const MultibodyStep<R>& step, const R& t) {
-      step.state_at(t, ode_.system().coordinates(), y);
-      return quantity(ode_.at(t, y, step.memory));
-    });
+  /// What tracker k follows: |e| and |F| of each joint, then the moment of each driver and its opposite.
+  double quantity(std::size_t k, const SystemWorkspace<R>& w) const {
+    const std::size_t joint = k / 2;
+    if (joint < w.joints.size()) {
+      const JointForce<R>& force = w.joints[joint];
+      return static_cast<double>(k % 2 == 0 ? force.kinematics.motion.eccentricity.norm() : force.total().norm());
+    }
+    const double value = moment(w, drivers_[joint - w.joints.size()]);
+    return k % 2 == 0 ? value : -value;
+  }
+
+  template <class ByMethod>
+  double by(const ByMethod& by_method, const MultibodyStep<R>& step, const R& t, std::size_t k) {
+    by_method(step, t, exact_);
+    return quantity(k, ode_.at(t, exact_, step.memory));
+  }
+
+  template <class ByMethod>
+  Peak peak(std::size_t k, const ByMethod& by_method) {
+    return trackers_[k].peak(
+        pieces_,
+        [&](const MultibodyStep<R>& step, const R& t) {
+          step.state_at(t, ode_.system().coordinates(), state_);
+          return quantity(k, ode_.at(t, state_, step.memory));
+        },
+        [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
   }
 
   void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
@@ -218,7 +233,10 @@ class MultibodyRecorder {
   std::vector<std::size_t> drivers_;
   std::size_t next_ = 0;
   std::vector<MultibodySample> samples_;
-  std::vector<R> state_;
+  std::vector<R> state_, exact_;
+  std::vector<double> values_;
+  std::vector<JointExtremes> joint_extremes_;
+  std::vector<DriverExtremes> driver_extremes_;
   ConstraintDrift drift_;
   R start_energy_{};
   double energy_residual_ = 0;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "lubjoint/dynamics/contact_events.hpp"
 #include "lubjoint/dynamics/integrator.hpp"
@@ -47,7 +48,7 @@ class MultibodyRun {
     ode_.rate(y_, rate_, t_);
     recorder_.start(t_, y_);
     integrate();
-    recorder_.finish(t_, y_);
+    recorder_.finish(t_, y_, by_method());
     outcome_.t_end = static_cast<double>(t_);
     outcome_.rhs_evaluations = ode_.evaluations();
     outcome_.jacobian_evaluations = method_->counts().jacobians;
@@ -122,7 +123,7 @@ class MultibodyRun {
       if (ode_.has_contact() && find_event(*step)) {
         if (!resolve_event(*step)) return;
         close(*step);
-        if (step->t_new > step->t_old) recorder_.step(step);
+        if (step->t_new > step->t_old) recorder_.step(step, by_method());
         change_phase();
         continue;
       }
@@ -132,7 +133,7 @@ class MultibodyRun {
         ode_.rate(y_, rate_, t_);
         close(*step);
       }
-      recorder_.step(step);
+      recorder_.step(step, by_method());
     }
     t_ = t_end;
   }
@@ -293,6 +294,17 @@ class MultibodyRun {
       if (t_goal - t <= std::numeric_limits<R>::epsilon() * t_goal) break;
     }
     return true;
+  }
+
+  /// The state inside a step as the recorder asks for it: by the method from the step's start, in the step's phases.
+  auto by_method() {
+    return [this](const Step& step, const R& t, State& y) {
+      const std::vector<JointMemory<R>> memory = std::exchange(ode_.memory(), step.memory);
+      y = step.y_old;
+      const bool reached = t <= step.t_old || step_to(step.t_old, t, y);
+      ode_.memory() = memory;
+      if (!reached) step.state_at(t, ode_.system().coordinates(), y);
+    };
   }
 
   void change_phase() {

@@ -32,7 +32,9 @@ class ScaledIntegrator final : public Integrator<double, N> {
     const double t_before = t;
     const double tried = dt;
     scaled_.scale(y, z_);
-    const auto rate = [&](const std::vector<double>& z, std::vector<double>& dzdt, double s) { scaled_.rate(system, z, dzdt, s); };
+    const auto rate = [&](const std::vector<double>& z, std::vector<double>& dzdt, double s) {
+      scaled_.rate(system, z, dzdt, s);
+    };
     try {
       const bool accepted = stepper_->try_step(rate, z_, t, dt) == boost::numeric::odeint::success;
       if (std::isfinite(dt) && dt > 0) {

@@ -12,8 +12,8 @@ struct RunOutcome {
   RunStatus status = RunStatus::finished;
   std::string integrator;         ///< that ran
   std::string integrator_reason;  ///< why it was chosen; empty if the scene names it
-  std::string message;  ///< why a run stopped: time, joint, ε, and what to change; empty if it finished
-  double t_end = 0;     ///< [s]
+  std::string message;            ///< why a run stopped: time, joint, ε, and what to change; empty if it finished
+  double t_end = 0;               ///< [s]
   std::size_t steps = 0;
   std::size_t rejected_steps = 0;
   std::size_t rhs_evaluations = 0;

@@ -43,7 +43,8 @@ class RadauIIA5 {
   static constexpr order_type order() { return 5; }
 
   /// @param absolute_tolerance  one for each state, in the state's own unit
-  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance) : absolute_(absolute_tolerance), solver_(size()) {
+  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance)
+      : absolute_(absolute_tolerance), solver_(size()) {
     using std::pow;
     if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
       throw std::invalid_argument("relative tolerance of radau_iia5: allowed is a number in (0, 1)");

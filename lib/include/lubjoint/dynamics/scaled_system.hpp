@@ -5,7 +5,8 @@
 
 namespace lubjoint {
 
-/// States z_i = y_i / s_i, s_i = absolute_i / nominal: an absolute tolerance `nominal` on every z_i is absolute_i on y_i.
+/// States z_i = y_i / s_i, s_i = absolute_i / nominal: an absolute tolerance `nominal` on every z_i is absolute_i on
+/// y_i.
 template <class R, std::size_t N>
 class ScaledSystem {
  public:
