@@ -378,7 +378,7 @@ class MultibodyRun {
   static constexpr std::size_t stall_limit = 4000;
   static constexpr double stall_share = 2e-6;
   /// A margin that starts at zero may be negative by the rounding of coordinates a thousand clearances long.
-  static constexpr double slack = 1e-12;
+  const R slack = R(1e-12) * (std::numeric_limits<R>::epsilon() / R(std::numeric_limits<double>::epsilon()));
 
   MultibodyOde<R>& ode_;
   RunSettings settings_;
