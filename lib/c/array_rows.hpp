@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lubjoint.h"
+#include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/law_list.hpp"
 
 namespace lubjoint::c {
@@ -39,12 +40,6 @@ inline void require(const lubjoint_motion& m) {
   require("omega_journal", m.omega_journal.data);
 }
 
-struct OutOfRange : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-inline std::string in_row(std::size_t i, const std::string& what) { return "row " + std::to_string(i) + ": " + what; }
-
 /// Runs the rows; a row without a film is named.
 template <class Row>
 void for_rows(std::size_t n, lubjoint_out first, lubjoint_out second, const Row& row) {
@@ -52,14 +47,12 @@ void for_rows(std::size_t n, lubjoint_out first, lubjoint_out second, const Row&
   try {
     for (; i < n; ++i) {
       const Vector2<double> force = row(i);
-      if (!std::isfinite(force.x()) || !std::isfinite(force.y())) {
-        throw OutOfRange(in_row(i, "the force is beyond the range of double precision; allowed are smaller rates"));
-      }
+      if (!std::isfinite(force.x()) || !std::isfinite(force.y())) throw ForceRowError(i);
       put(first, i, force.x());
       put(second, i, force.y());
     }
   } catch (const FilmDomainError& error) {
-    throw FilmDomainError(in_row(i, error.what()));
+    throw FilmRowError(i, error.what());
   }
 }
 
@@ -72,7 +65,7 @@ int guarded(const Work& work) noexcept {
   } catch (const FilmDomainError& error) {
     say(error.what());
     return EDOM;
-  } catch (const OutOfRange& error) {
+  } catch (const ForceRowError& error) {
     say(error.what());
     return ERANGE;
   } catch (const std::bad_alloc&) {

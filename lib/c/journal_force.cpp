@@ -1,5 +1,4 @@
-#include "array_rows.hpp"
-#include "lubjoint/joint/lubricated_joint.hpp"
+#include "array_blocks.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::c;
@@ -15,10 +14,13 @@ int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, siz
       require("fx", fx.data);
       require("fy", fy.data);
     }
-    with_film_law(law, [&]<class Law>() {
-      const LubricatedJoint<Law, double> joint(bearing_of(*bearing), Lubricant<double>(bearing->viscosity));
-      for_rows(n, fx, fy,
-               [&](std::size_t i) { return joint.force(film_state(motion_at(*motion, i), bearing->clearance)); });
+    require_film_law(law);
+    const Bearing<double> geometry = bearing_of(*bearing);
+    const Lubricant<double> oil(bearing->viscosity);
+    const std::array in = {motion->ex,           motion->ey, motion->vx, motion->vy, motion->omega_bearing,
+                           motion->omega_journal};
+    for_blocks(n, in, fx, fy, [&](const auto& m, const ForceArrays& forces) {
+      film_forces(law, geometry, oil, JournalMotionArrays{m[0], m[1], m[2], m[3], m[4], m[5]}, forces);
     });
   });
 }

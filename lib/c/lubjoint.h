@@ -6,7 +6,8 @@
  *   ERANGE  a force is beyond the range of double precision
  *   ENOMEM  no memory
  * lubjoint_message() then says what was given and what is allowed. After EDOM and ERANGE the rows before the one that
- * the message names are answered, the others untouched. Calls from several threads don't disturb each other. */
+ * the message names are answered, the others untouched. Calls from several threads don't disturb each other.
+ * An array that is written may be one that is read. Arrays without gaps (stride 8) are fastest. */
 #ifndef LUBJOINT_H
 #define LUBJOINT_H
 

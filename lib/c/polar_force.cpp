@@ -1,4 +1,4 @@
-#include "array_rows.hpp"
+#include "array_blocks.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::c;
@@ -16,15 +16,12 @@ int lubjoint_polar_force(const char* law, const lubjoint_bearing* bearing, size_
       require("radial", radial.data);
       require("tangential", tangential.data);
     }
+    require_film_law(law);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    with_film_law(law, [&]<class Law>() {
-      const double scale = force_scale(Law::limit, geometry, oil);
-      for_rows(n, radial, tangential, [&](std::size_t i) {
-        const PolarForce<double> ratio = polar_force_ratio<Law>(
-            PolarFilmState<double>(at(eccentricity_ratio, i), at(slip_rate, i), at(squeeze_rate, i)));
-        return Vector2<double>(scale * ratio.radial, scale * ratio.tangential);
-      });
-    });
+    for_blocks(n, std::array{eccentricity_ratio, slip_rate, squeeze_rate}, radial, tangential,
+               [&](const auto& s, const ForceArrays& forces) {
+                 film_forces(law, geometry, oil, PolarStateArrays{s[0], s[1], s[2]}, forces);
+               });
   });
 }

@@ -1,52 +1,127 @@
+#include <algorithm>
+#include <array>
 #include <iostream>
+#include <vector>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/reports/bench/law_bench.hpp"
 #include "oracle/reports/bench/scene_bench.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/quadrature_bench.hpp"
 
 namespace lubjoint::cli {
 
+namespace {
+
+struct BenchOptions {
+  std::vector<std::string> tables;
+  std::vector<std::string> scenes;
+  std::optional<std::filesystem::path> out;
+  bool quick = false;
+
+  /// Writes a file into the folder, if one was named.
+  void save(const std::string& name, const std::string& content) const {
+    if (!out) return;
+    reports::write_file(*out / name, content);
+    std::cerr << "written: " << (*out / name).string() << '\n';
+  }
+};
+
+/// One table of error against run time: printed, and saved where the options say.
+struct BenchTable {
+  std::string_view name;
+  std::string_view about;
+  void (*run)(const BenchOptions&);
+};
+
+void bench_laws(const BenchOptions& options) {
+  const auto bench = reports::time_laws(std::filesystem::path(LUBJOINT_GOLDEN) / "film_force.csv", options.quick);
+  std::cout << reports::law_bench_table(bench);
+  options.save("bench-laws.csv", reports::law_bench_csv(bench));
+  options.save("bench-batch.csv", reports::batch_csv(bench));
+}
+
+void bench_quadrature(const BenchOptions& options) {
+  const auto rows = reports::time_quadrature(options.quick);
+  std::cout << reports::quadrature_table(rows);
+  options.save("bench-quadrature.csv", reports::quadrature_csv(rows));
+}
+
+void bench_finite_length(const BenchOptions& options) {
+  const auto rows = reports::time_finite_length(options.quick);
+  std::cout << reports::quadrature_table(rows);
+  options.save("bench-finite-length.csv", reports::quadrature_csv(rows));
+}
+
+void bench_scenes(const BenchOptions& options) {
+  std::vector<Scene> scenes;
+  for (const std::string& file : options.scenes) scenes.push_back(load_scene(file));
+  auto settings = reports::scene_bench_settings(options.quick);
+  if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
+  const auto bench = reports::bench_scenes(scenes, settings);
+  std::cout << reports::scene_bench_table(bench);
+  options.save("bench-scenes.csv", reports::scene_bench_csv(bench));
+  if (options.out) reports::draw_scene_bench(bench, *options.out);
+}
+
+constexpr std::array bench_tables = {
+    BenchTable{"laws", "force laws: scalar, batch, long double, quadrature, finite length", bench_laws},
+    BenchTable{"quadrature", "quadrature rules on the one-dimensional films", bench_quadrature},
+    BenchTable{"finite-length", "films of finite length by tolerance", bench_finite_length},
+    BenchTable{"scenes", "the scenes that --scene names, by formulation, integrator and tolerance", bench_scenes}};
+
+std::string described_tables() {
+  std::string text = "Which tables; none named: scenes if --scene is given, otherwise all others.";
+  for (const BenchTable& table : bench_tables) text += "\n" + std::string(table.name) + ": " + std::string(table.about);
+  return text;
+}
+
+/// @throws std::invalid_argument that lists the tables there are, or says that scenes and --scene go together
+void require_tables(const BenchOptions& options) {
+  for (const std::string& name : options.tables) {
+    if (std::ranges::find(bench_tables, name, &BenchTable::name) != bench_tables.end()) continue;
+    std::string list;
+    for (const BenchTable& table : bench_tables) list += (list.empty() ? "" : ", ") + std::string(table.name);
+    throw std::invalid_argument("there is no table \"" + name + "\"; allowed are " + list);
+  }
+  const bool named = std::ranges::find(options.tables, "scenes") != options.tables.end();
+  if (named && options.scenes.empty()) {
+    throw std::invalid_argument("no scene for the table scenes; required is --scene FILE");
+  }
+  if (!named && !options.tables.empty() && !options.scenes.empty()) {
+    throw std::invalid_argument("--scene is given without the table scenes; allowed are both or neither");
+  }
+}
+
+bool is_wanted(const BenchTable& table, const BenchOptions& options) {
+  if (options.tables.empty()) return (table.name == "scenes") != options.scenes.empty();
+  return std::ranges::find(options.tables, table.name) != options.tables.end();
+}
+
+int run_bench(const BenchOptions& options) {
+  require_tables(options);
+  if (options.out) reports::prepare_folder(*options.out);
+  for (const BenchTable& table : bench_tables) {
+    if (!is_wanted(table, options)) continue;
+    std::cout << table.name << '\n';
+    table.run(options);
+    std::cout << std::endl;
+  }
+  return 0;
+}
+
+}  // namespace
+
 void add_bench(CLI::App& app, Action& action) {
-  struct Options {
-    std::optional<std::string> out;
-    std::vector<std::string> scenes;
-    bool quick = false;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("bench", "Error against run time: quadrature rules, finite-length films");
-  command->add_option("--out", options->out, "Folder for bench-quadrature.csv");
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
+  command->add_option("tables", options->tables, described_tables());
   command->add_option("--scene", options->scenes, "Scene files");
-  command->add_flag("--quick", options->quick, "Fewer cases and repeats");
-  command->callback([options, &action] {
-    action = [options] {
-      if (options->out) reports::prepare_folder(*options->out);
-      if (!options->scenes.empty()) {
-        std::vector<Scene> scenes;
-        for (const std::string& file : options->scenes) scenes.push_back(load_scene(file));
-        auto settings = reports::scene_bench_settings(options->quick);
-        if (options->out) settings.resume_file = std::filesystem::path(*options->out) / "bench-scenes.part";
-        const auto bench = reports::bench_scenes(scenes, settings);
-        std::cout << reports::scene_bench_table(bench);
-        if (options->out) {
-          reports::write_file(std::filesystem::path(*options->out) / "bench-scenes.csv", reports::scene_bench_csv(bench));
-          reports::draw_scene_bench(bench, *options->out);
-        }
-        return 0;
-      }
-      auto rows = reports::time_quadrature(options->quick);
-      const auto finite = reports::time_finite_length(options->quick);
-      rows.insert(rows.end(), finite.begin(), finite.end());
-      std::cout << reports::quadrature_table(rows);
-      if (options->out) {
-        const auto file = std::filesystem::path(*options->out) / "bench-quadrature.csv";
-        reports::write_file(file, reports::quadrature_csv(rows));
-        std::cerr << "written: " << file.string() << '\n';
-      }
-      return 0;
-    };
-  });
+  command->add_option("--out", options->out, "Folder for the tables as CSV");
+  command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
+  command->callback([options, &action] { action = [options] { return run_bench(*options); }; });
 }
 
 }  // namespace lubjoint::cli

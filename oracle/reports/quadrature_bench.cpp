@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <chrono>
 #include <cmath>
 
 #include "oracle/reports/progress.hpp"
 #include "oracle/reports/published_forms.hpp"
+#include "oracle/reports/bench/timing.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 
@@ -18,7 +18,6 @@ namespace lubjoint::reports {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_100;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::array<std::array<double, 2>, 6> motions = {{{2, 0}, {0, 1}, {1, 1}, {1, -1}, {0, -1}, {-1.5, 0.3}}};
 
@@ -47,19 +46,7 @@ Reference exact_force(const oracle::OneDimensionalFilmEntry& film, const Bearing
 
 template <class Function>
 double median_microseconds(int repeats, const Function& f) {
-  std::vector<double> times;
-  for (int i = 0; i < repeats; ++i) {
-    const auto begin = Clock::now();
-    f();
-    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
-  }
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
-}
-
-double median_of(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+  return interleaved_medians(repeats, {[&f] { f(); }}).front() / 1000;
 }
 
 const Bearing<double> paper_bearing(0.04, 0.0098, 0.0002);

@@ -12,7 +12,7 @@ static lubjoint_in all(const double* x) {
 
 int main(void) {
   const lubjoint_bearing bearing = {0.04, 0.04, 0.01, 2e-4};
-  const double pi = 3.14159265358979323846, zero = 0, one = 1, half = 0.5;
+  const double pi = 3.14159265358979323846, zero = 0, one = 1, half = 0.5, minus = -1;
   double radial[2], tangential[2];
   const lubjoint_out to_radial = {radial, sizeof(double)}, to_tangential = {tangential, sizeof(double)};
   const double ratios[3] = {0.5, -1, 0};
@@ -59,5 +59,54 @@ int main(void) {
     return 15;
   }
   if (fabs(radial[0] + (arm + e) * f) > 1e-15 || fabs(tangential[0] - arm * f) > 1e-15) return 16;
+
+  /* many rows: columns of a table, answered in its own columns, have the bits of arrays without gaps */
+  enum { rows = 1500 };
+  static double table[rows][3], column[3][rows], answer[2][rows];
+  for (int i = 0; i < rows; ++i) {
+    table[i][0] = column[0][i] = 0.97 * i / rows;
+    table[i][1] = column[1][i] = cos(i);
+    table[i][2] = column[2][i] = sin(i);
+  }
+  lubjoint_in in[3], gaps[3];
+  lubjoint_out out[2], into[2];
+  for (int k = 0; k < 3; ++k) {
+    in[k] = (lubjoint_in){column[k], sizeof(double)};
+    gaps[k] = (lubjoint_in){&table[0][k], sizeof table[0]};
+  }
+  for (int k = 0; k < 2; ++k) {
+    out[k] = (lubjoint_out){answer[k], sizeof(double)};
+    into[k] = (lubjoint_out){&table[0][k + 1], sizeof table[0]};
+  }
+  if (lubjoint_polar_force("pinkus_sternlicht", &bearing, rows, in[0], in[1], in[2], out[0], out[1])) return 17;
+  if (lubjoint_polar_force("pinkus_sternlicht", &bearing, rows, gaps[0], gaps[1], gaps[2], into[0], into[1])) return 18;
+  for (int i = 0; i < rows; ++i) {
+    if (table[i][1] != answer[0][i] || table[i][2] != answer[1][i]) return 19;
+  }
+
+  /* a bad row far inside: named, those before it answered, the others untouched */
+  column[0][1200] = 1;
+  answer[0][1199] = answer[0][1200] = -7;
+  const lubjoint_in gap = {&table[0][0], sizeof table[0]};
+  table[1200][0] = 1;
+  if (lubjoint_polar_force("pinkus_sternlicht", &bearing, rows, in[0], in[1], in[2], out[0], out[1]) != EDOM) return 20;
+  if (!strstr(lubjoint_message(), "row 1200:") || answer[0][1199] == -7 || answer[0][1200] != -7) return 21;
+  answer[0][1199] = answer[0][1200] = -7;
+  if (lubjoint_polar_force("pinkus_sternlicht", &bearing, rows, gap, in[1], in[2], out[0], out[1]) != EDOM) return 22;
+  if (!strstr(lubjoint_message(), "row 1200:") || answer[0][1199] == -7 || answer[0][1200] != -7) return 23;
+
+  /* a force that is the next row's eccentricity ratio: row by row, in order; the film of the third row is the second's */
+  double chain[3] = {0.5, 0.5, 0.5};
+  const lubjoint_bearing weak = {1e-9, 0.04, 0.01, 2e-4};
+  const lubjoint_out next = {chain + 1, sizeof(double)};
+  if (lubjoint_polar_force("short_full", &weak, 2, (lubjoint_in){chain, sizeof(double)}, all(&zero), all(&minus),
+                           next, to_tangential)) {
+    return 24;
+  }
+  double second, first;
+  const lubjoint_out to_first = {&first, 0}, to_second = {&second, 0};
+  lubjoint_polar_force("short_full", &weak, 1, all(&half), all(&zero), all(&minus), to_first, to_tangential);
+  lubjoint_polar_force("short_full", &weak, 1, all(&first), all(&zero), all(&minus), to_second, to_tangential);
+  if (chain[1] != first || chain[2] != second || first == second) return 25;
   return 0;
 }

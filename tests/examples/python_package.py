@@ -1,11 +1,13 @@
 """The Python package, used as a user would; run by tests/python_package.sh in a fresh environment."""
 
+import statistics
 import sys
 import time
 
 import numpy
 
 import lubjoint
+from lubjoint import _film
 
 sys.path.insert(0, sys.argv[1])
 import pinkus_sternlicht  # noqa: E402  the example beside this file
@@ -51,6 +53,11 @@ out = (numpy.empty(1000), numpy.empty(1000))
 assert lubjoint.polar_force("short_half", bearing, *table, out=out)[0] is out[0] and (out[0] == radial).all()
 fixed = lubjoint.polar_force("short_half", bearing, 0.5, table[1], 2.0)
 assert fixed[0].shape == (1000,)
+written = table.copy()  # forces in the place of two inputs
+lubjoint.polar_force("short_half", bearing, *written, out=(written[2], written[0]))
+assert (written[2] == radial).all() and (written[0] == tangential).all()
+alone = lubjoint.polar_force("short_half", bearing, [0.5], table[1], [[2.0]][0])  # arrays of one number go with all rows
+assert (alone[0] == fixed[0]).all() and lubjoint.polar_force("short_half", bearing, [], 1, 1)[0].shape == (0,)
 for wrong in ({"law": "short"}, {"eccentricity_ratio": 1.5}, {"eccentricity_ratio": numpy.zeros((2, 2))}):
     arguments = {"law": "short_half", "bearing": bearing, "eccentricity_ratio": 0.5, "slip_rate": 1, "squeeze_rate": 1}
     try:
@@ -67,12 +74,29 @@ contact = lubjoint.Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, im
 assert lubjoint.transition_force("long_half", bearing, contact, 3e-4, 0, 0, 0, 0, 0)[0] < 0
 assert len(lubjoint.laws()) == 8
 
-if "--cost" in sys.argv:
-    many = numpy.random.default_rng(1).uniform(0, 0.9, (3, 1_000_000))
-    for law in lubjoint.laws():
-        times = []
-        for _ in range(7):
+
+
+def medians(calls, repeats=31):
+    """Median seconds of each call; the calls take turns."""
+    times = [[] for _ in calls]
+    for _ in range(repeats):
+        for column, call in zip(times, calls):
             begin = time.perf_counter()
-            lubjoint.polar_force(law, bearing, *many)
-            times.append(time.perf_counter() - begin)
-        print(f"{law:20} {sorted(times)[3] * 1e3:8.2f} ns a state")
+            call()
+            column.append(time.perf_counter() - begin)
+    return [statistics.median(column) for column in times]
+
+
+if "--cost" in sys.argv:  # NumPy against the batch function alone, its arguments made beforehand
+    print("law                      rows  function    NumPy  NumPy, out=   [ns a row], ratios")
+    for law in lubjoint.laws():
+        for rows in (1_000, 10_000, 100_000, 1_000_000):
+            many = numpy.random.default_rng(1).uniform(0, 0.9, (3, rows))
+            out = tuple(numpy.empty((2, rows)))
+            made = _film._Batch(many, out)
+            given = (law.encode(), bearing._struct(), rows, *made.inputs, *made.outputs)
+            times = medians((lambda: _film._library.lubjoint_polar_force(*given),
+                             lambda: lubjoint.polar_force(law, bearing, *many),
+                             lambda: lubjoint.polar_force(law, bearing, *many, out=out)))
+            print(f"{law:18} {rows:10}" + "".join(f"{t / rows * 1e9:9.2f}" for t in times) +
+                  f"   {times[1] / times[0]:.2f} {times[2] / times[0]:.2f}")

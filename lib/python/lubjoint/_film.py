@@ -95,14 +95,18 @@ class _Batch:
 
     def __init__(self, inputs, out):
         arrays = [numpy.asarray(x, dtype=numpy.float64) for x in inputs]
-        self.shape = numpy.broadcast_shapes(*(a.shape for a in arrays))
+        self._kept = arrays
+        shapes = {a.shape for a in arrays}
+        self.shape = shapes.pop() if len(shapes) == 1 else numpy.broadcast_shapes(*shapes)
         if len(self.shape) > 1:
             raise ValueError(f"arrays of shape {self.shape}; allowed are numbers and one-dimensional arrays")
         self.count = self.shape[0] if self.shape else 1
-        self._kept = [numpy.broadcast_to(a, (self.count,)) for a in arrays]  # a view: stride 0 for a number
-        self.inputs = [_In(a.ctypes.data, a.strides[0]) for a in self._kept]
+        # Stride 0 for one number that goes with all rows.
+        self.inputs = [_In(a.ctypes.data, a.strides[0] if a.shape == self.shape and self.shape else 0) for a in arrays]
         if out is None:
-            out = (numpy.empty(self.count), numpy.empty(self.count))
+            # One block: the allocator keeps it for the next call. Of two it gives the memory back each time, and
+            # getting it anew costs more than the forces.
+            out = tuple(numpy.empty((2, self.count)))
         for array in out:
             if array.dtype != numpy.float64 or array.shape != (self.count,) or not array.flags.writeable:
                 raise ValueError(f"out is of shape {array.shape} and type {array.dtype}; "

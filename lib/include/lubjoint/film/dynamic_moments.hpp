@@ -32,9 +32,9 @@ struct DynamicFrame {
   T y;                ///< sin²δ
 
   explicit DynamicFrame(const FilmState<T>& film)
-      : along(direction(film.velocity)),
+      : along(direction_in_range(film.velocity)),
         across(perpendicular(along)),
-        speed(norm(film.velocity)),
+        speed(norm_in_range(film.velocity)),
         e1(dot(film.eccentricity, along)),
         e2(dot(film.eccentricity, across)),
         n2(film.q + e1 * e1),

@@ -14,6 +14,9 @@ class FilmDomainError : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
+/// For states that are known to be sound, or looked at elsewhere: nothing is checked where they are made.
+struct Unchecked {};
+
 /// State of the film in any inertial frame.
 ///   ê = e/c, the eccentricity in clearances [-];
 ///   u = (v − ½(ω_J + ω_B) e⊥)/c, the pure-squeeze velocity [1/s]: in the frame that turns with the mean spin only
@@ -36,6 +39,9 @@ struct FilmState {
       : eccentricity(e_hat), velocity(u), q(known_q) {
     check();
   }
+
+  FilmState(const Vector2<T>& e_hat, const Vector2<T>& u, const T& known_q, Unchecked)
+      : eccentricity(e_hat), velocity(u), q(known_q) {}
 
  private:
   void check() const {
@@ -74,9 +80,13 @@ struct PolarFilmState {
     throw FilmDomainError(message.str());
   }
 
+  PolarFilmState(const T& epsilon, const T& a, const T& b, const T& known_q, Unchecked)
+      : eccentricity_ratio(epsilon), slip_rate(a), squeeze_rate(b), q(known_q) {}
+
   /// The state in the frame of its own radial and tangential directions: u = (b, −a/2).
   FilmState<T> in_own_frame() const {
-    return FilmState<T>(Vector2<T>(eccentricity_ratio, T(0)), Vector2<T>(squeeze_rate, T(-slip_rate / 2)), q);
+    return FilmState<T>(Vector2<T>(eccentricity_ratio, T(0)), Vector2<T>(squeeze_rate, T(-slip_rate / 2)), q,
+                        Unchecked());
   }
 };
 
@@ -87,17 +97,21 @@ struct PolarView {
   Vector2<T> radial;  ///< r, a unit vector; the tangential direction is perpendicular(r)
 };
 
+/// Polar view of a state along a unit vector r: that of ê, or of u where ê = 0.
+template <class T>
+PolarView<T> polar_view_along(const Vector2<T>& r, const FilmState<T>& film) {
+  const T epsilon = dot(r, film.eccentricity);
+  const T b = dot(film.velocity, r);
+  const T u_t = is_zero(film.eccentricity) ? T(0) : dot(film.velocity, perpendicular(r));
+  const T a = -2 * u_t;
+  return {PolarFilmState<T>(epsilon, a, b, film.q, Unchecked()), r};
+}
+
 /// Polar view of a state. At ê = 0 the radial direction is that of u, the limit of a journal that leaves the centre
 /// along its velocity; there dε = r·dê. Needs ê ≠ 0 or u ≠ 0.
 template <class T>
 PolarView<T> polar_view(const FilmState<T>& film) {
-  const bool centred = is_zero(film.eccentricity);
-  const Vector2<T> r = direction(centred ? film.velocity : film.eccentricity);
-  const T epsilon = dot(r, film.eccentricity);
-  const T b = dot(film.velocity, r);
-  const T u_t = centred ? T(0) : dot(film.velocity, perpendicular(r));
-  const T a = -2 * u_t;
-  return {PolarFilmState<T>(epsilon, a, b, film.q), r};
+  return polar_view_along(direction(is_zero(film.eccentricity) ? film.velocity : film.eccentricity), film);
 }
 
 /// Motion of a journal in its bearing, in one inertial frame.
@@ -109,16 +123,27 @@ struct JournalMotion {
   T journal_spin;           ///< ω_J, absolute [rad/s]
 };
 
+/// ê of a motion.
+template <class T>
+Vector2<T> eccentricity_in_clearances(const JournalMotion<T>& motion, const RealOf<T>& clearance) {
+  return Vector2<T>(T(motion.eccentricity.x() / clearance), T(motion.eccentricity.y() / clearance));
+}
+
+/// u of a motion with this ê [1/s].
+template <class T>
+Vector2<T> pure_squeeze_velocity(const JournalMotion<T>& motion, const RealOf<T>& clearance, const Vector2<T>& e_hat) {
+  const T half_sum = (motion.bearing_spin + motion.journal_spin) / 2;
+  return Vector2<T>(T(motion.velocity.x() / clearance + half_sum * e_hat.y()),
+                    T(motion.velocity.y() / clearance - half_sum * e_hat.x()));
+}
+
 /// Film state of a motion. No angle, no division by e; both spins are absolute, so the answer does not depend on the
 /// rotation of the observer.
 /// @throws FilmDomainError if |e| ≥ c
 template <class T>
 FilmState<T> film_state(const JournalMotion<T>& motion, const RealOf<T>& clearance) {
-  const T half_sum = (motion.bearing_spin + motion.journal_spin) / 2;
-  const Vector2<T> e_hat(T(motion.eccentricity.x() / clearance), T(motion.eccentricity.y() / clearance));
-  const Vector2<T> u(T(motion.velocity.x() / clearance + half_sum * e_hat.y()),
-                     T(motion.velocity.y() / clearance - half_sum * e_hat.x()));
-  return FilmState<T>(e_hat, u);
+  const Vector2<T> e_hat = eccentricity_in_clearances(motion, clearance);
+  return FilmState<T>(e_hat, pure_squeeze_velocity(motion, clearance, e_hat));
 }
 
 }  // namespace lubjoint

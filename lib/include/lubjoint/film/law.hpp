@@ -5,7 +5,8 @@
 ///   vector law:  template <class T> static Vector2<T> force_ratio(const FilmState<T>&);
 ///   polar law:   template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);
 /// A vector law needs no direction of e and stays smooth at e = 0. The half films depend on that direction and on the
-/// sign of a; they are polar laws. Neither ever sees u = 0: the functions below answer that.
+/// sign of a; they are polar laws. Neither ever sees u = 0, or in the plane max |u_i| outside of 1e-60 … 1e60: the
+/// functions below take care of that.
 #pragma once
 
 #include <concepts>
@@ -44,41 +45,43 @@ concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
 namespace detail {
 
 template <PolarLaw Law, class T>
-Vector2<T> polar_law_in_plane(const FilmState<T>& film, HalfFilmSide side) {
-  const PolarView<T> view = polar_view(film);
+Vector2<T> polar_law_in_plane(const PolarView<T>& view, HalfFilmSide side) {
   const PolarForce<T> ratio = Law::force_ratio(view.state, side);
   const Vector2<T> t = perpendicular(view.radial);
   return Vector2<T>(T(ratio.radial * view.radial.x() + ratio.tangential * t.x()),
                     T(ratio.radial * view.radial.y() + ratio.tangential * t.y()));
 }
 
-/// evaluate(film) for a function of degree one in u, also where |u| is so small or large that derivatives of its
-/// quotients would leave the range: then F(ê, u) = σF(ê, u/σ) with σ = max |u_i|, ∂F/∂u at u is that at u/σ, and ∂F/∂ê
-/// is σ times that at u/σ. The derivatives of u are passed on as they are, those of ê multiplied by σ.
+/// evaluate(film) for a function of degree one in u, also where |u| is so small or large that products of rates, or
+/// derivatives of their quotients, would leave the range: then F(ê, u) = σF(ê, u/σ) with σ = max |u_i|, ∂F/∂u at u is
+/// that at u/σ, and ∂F/∂ê is σ times that at u/σ. The derivatives of u are passed on as they are, those of ê multiplied
+/// by σ.
 template <class T, class Evaluate>
-Vector2<T> in_range_of_derivatives(const FilmState<T>& film, const Evaluate& evaluate) {
+Vector2<T> in_range_of_rates(const FilmState<T>& film, const Evaluate& evaluate) {
+  using R = RealOf<T>;
+  const R size = larger_magnitude<R>(value_of(film.velocity.x()), value_of(film.velocity.y()));
+  if (size > R(1e-60) && size < R(1e60)) return evaluate(film);
   if constexpr (ScalarTraits<T>::carries_derivatives) {
-    using R = RealOf<T>;
-    const R size = larger_magnitude<R>(value_of(film.velocity.x()), value_of(film.velocity.y()));
-    if (!(size > R(1e-60) && size < R(1e60))) {
-      const auto slow = [&size](const T& v) { return T(value_of(v) / size, v.derivatives()); };
-      const auto weighted = [&size](const T& x) { return T(value_of(x), size * x.derivatives()); };
-      const Vector2<T> e_hat(weighted(film.eccentricity.x()), weighted(film.eccentricity.y()));
-      const Vector2<T> u(slow(film.velocity.x()), slow(film.velocity.y()));
-      Vector2<T> force = evaluate(FilmState<T>(e_hat, u, weighted(film.q)));
-      force.x().value() *= size;
-      force.y().value() *= size;
-      return force;
-    }
+    const auto slow = [&size](const T& v) { return T(value_of(v) / size, v.derivatives()); };
+    const auto weighted = [&size](const T& x) { return T(value_of(x), size * x.derivatives()); };
+    const Vector2<T> e_hat(weighted(film.eccentricity.x()), weighted(film.eccentricity.y()));
+    const Vector2<T> u(slow(film.velocity.x()), slow(film.velocity.y()));
+    Vector2<T> force = evaluate(FilmState<T>(e_hat, u, weighted(film.q), Unchecked()));
+    force.x().value() *= size;
+    force.y().value() *= size;
+    return force;
+  } else {
+    const Vector2<T> u(T(film.velocity.x() / size), T(film.velocity.y() / size));
+    const Vector2<T> force = evaluate(FilmState<T>(film.eccentricity, u, film.q, Unchecked()));
+    return Vector2<T>(T(size * force.x()), T(size * force.y()));
   }
-  return evaluate(film);
 }
 
 template <FilmLaw Law, class T>
 Vector2<T> force_ratio_in_motion(const FilmState<T>& film) {
-  return in_range_of_derivatives(film, [](const FilmState<T>& state) -> Vector2<T> {
+  return in_range_of_rates(film, [](const FilmState<T>& state) -> Vector2<T> {
     if constexpr (PolarLaw<Law>) {
-      return polar_law_in_plane<Law>(state, side_of(state));
+      return polar_law_in_plane<Law>(polar_view(state), side_of(state));
     } else {
       return Law::force_ratio(state);
     }

@@ -20,20 +20,22 @@ struct PinkusSternlicht {
 
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
+    using std::abs;
     using std::sqrt;
     const Vector2<T>& e = film.eccentricity;
     const Vector2<T>& u = film.velocity;
     const T s = dot(e, u);
     const T d = 2 + dot(e, e);
     const T root = sqrt(film.q);
-    const T k = root * norm(u);
-    const bool closing = value_of(s) >= 0;
-    const T t = closing ? T(k + 1.5 * s) : T(k - 1.5 * s);
-    const T n = closing ? T(k + 3 * s) : k;
-    const T phi = n / t;  // by itself: products of two rates would underflow for slow motions
-    const T factor = -6 / (d * film.q * root);
-    const T along_e = factor * (4 * k + 3 * pi<T>() * phi * s);
-    const T along_u = factor * (2 * pi<T>() * phi * film.q);
+    const T k = root * detail::norm_in_range(u);
+    const T size = abs(s);
+    const T t = k + 1.5 * size;
+    const T n = k + 1.5 * (size + s);               // the sum is exact: 2s or 0
+    const T over_t = -6 / (d * film.q * root * t);  // the one division; products of two rates would leave the range
+    const T factor = over_t * t;
+    const T factor_phi = over_t * n;
+    const T along_e = factor * (4 * k) + factor_phi * (3 * pi<T>() * s);
+    const T along_u = factor_phi * (2 * pi<T>() * film.q);
     return Vector2<T>(T(along_e * e.x() + along_u * u.x()), T(along_e * e.y() + along_u * u.y()));
   }
 };

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <type_traits>
 #include <unsupported/Eigen/AutoDiff>
@@ -60,9 +61,35 @@ T one_minus_square(const T& x) {
   return minus * plus;
 }
 
+namespace detail {
+
+/// x² − xx for the rounded square xx, exactly: one fused multiply-add, or the halves of x (Dekker) for scalars wider
+/// than double, which have no such instruction.
+template <std::floating_point R>
+R left_out_of_square(R x, R xx) {
+  if constexpr (std::numeric_limits<R>::digits <= std::numeric_limits<double>::digits) return std::fma(x, x, -xx);
+  constexpr R splitter = R(1ULL << ((std::numeric_limits<R>::digits + 1) / 2)) + 1;
+  const R wide = splitter * x;
+  const R high = wide - (wide - x);
+  const R low = x - high;
+  return ((high * high - xx) + 2 * (high * low)) + low * low;
+}
+
+/// What rounding left out of sum = x² + y², which was added up from the rounded squares xx and yy; the sum of two
+/// ordered numbers leaves out what can be had back exactly.
+template <std::floating_point R>
+R left_out_of_square_sum(R x, R y, R xx, R yy, R sum) {
+  const R larger = xx < yy ? yy : xx;
+  const R smaller = xx < yy ? xx : yy;
+  const R of_sum = smaller - (sum - larger);
+  return of_sum + (left_out_of_square(x, xx) + left_out_of_square(y, yy));
+}
+
+}  // namespace detail
+
 /// 1 − x² − y², to two roundings of the result even where it is tiny.
-/// Floating point: the squares are split exactly by fused multiply-add, so that the only rounding that the
-/// difference sees is its own; the other scalars factor the larger coordinate. Derivatives are −2x dx − 2y dy.
+/// Floating point: where the sum of the squares exceeds ½ its difference from 1 is exact, and what rounding left out of
+/// the sum is taken off; the other scalars factor the larger coordinate. Derivatives are −2x dx − 2y dy.
 template <class T>
 T one_minus_squared_norm(const T& x, const T& y) {
   if constexpr (ScalarTraits<T>::carries_derivatives) {
@@ -72,13 +99,10 @@ T one_minus_squared_norm(const T& x, const T& y) {
   } else if constexpr (std::is_floating_point_v<T>) {
     const T xx = x * x;
     const T yy = y * y;
-    const T larger = xx < yy ? yy : xx;
-    const T smaller = xx < yy ? xx : yy;
-    // Exact where it cancels: 1 − x for x ≥ ½, and ½ − x for ¼ ≤ x ≤ 1 (both squares near ½, on the diagonal).
-    const bool diagonal = smaller > T(0.25);
-    const T rough = diagonal ? (T(0.5) - larger) + (T(0.5) - smaller) : (1 - larger) - smaller;
-    if (rough > T(0.5)) return rough;  // no cancellation: three roundings of numbers near 1
-    return rough - (std::fma(x, x, -xx) + std::fma(y, y, -yy));
+    const T sum = xx + yy;
+    const T rough = 1 - sum;
+    if (rough >= T(0.5)) return rough;  // no cancellation: three roundings of numbers below 1
+    return rough - detail::left_out_of_square_sum(x, y, xx, yy, sum);
   } else {
     using std::abs;
     const bool x_is_larger = abs(x) > abs(y);

@@ -43,23 +43,43 @@ R larger_magnitude(const R& x, const R& y) {
 }
 }  // namespace detail
 
-/// |v| of a vector that is not zero; neither overflows nor underflows where |v| itself does not.
-template <class T>
-T norm(const Vector2<T>& v) {
+namespace detail {
+
+/// True where squares of numbers of this magnitude neither overflow nor lose digits to underflow.
+template <class R>
+bool squares_are_in_range(const R& size) {
   using std::sqrt;
-  using R = RealOf<T>;
-  const R size = detail::larger_magnitude<R>(value_of(v.x()), value_of(v.y()));
   const R safe = std::numeric_limits<R>::min() / std::numeric_limits<R>::epsilon();
   static const R lower = sqrt(safe);
   static const R upper = 1 / lower;
-  if (size > lower && size < upper) {
-    const T squared = v.x() * v.x() + v.y() * v.y();
-    return T(sqrt(squared));
-  }
-  const T x = v.x() / size;
-  const T y = v.y() / size;
-  const T squared = x * x + y * y;
-  return T(size * sqrt(squared));
+  return size > lower && size < upper;
+}
+
+/// |v| where squares_are_in_range.
+template <class T>
+T norm_in_range(const Vector2<T>& v) {
+  using std::sqrt;
+  const T squared = v.x() * v.x() + v.y() * v.y();
+  return T(sqrt(squared));
+}
+
+/// v/|v| where squares_are_in_range.
+template <class T>
+Vector2<T> direction_in_range(const Vector2<T>& v) {
+  const T length = norm_in_range(v);
+  return Vector2<T>(T(v.x() / length), T(v.y() / length));
+}
+
+}  // namespace detail
+
+/// |v| of a vector that is not zero; neither overflows nor underflows where |v| itself does not.
+template <class T>
+T norm(const Vector2<T>& v) {
+  using R = RealOf<T>;
+  const R size = detail::larger_magnitude<R>(value_of(v.x()), value_of(v.y()));
+  if (detail::squares_are_in_range(size)) return detail::norm_in_range(v);
+  const Vector2<T> scaled(T(v.x() / size), T(v.y() / size));
+  return T(size * detail::norm_in_range(scaled));
 }
 
 /// v/|v| of a vector that is not zero, also where 1/|v| would overflow.
@@ -67,9 +87,8 @@ template <class T>
 Vector2<T> direction(const Vector2<T>& v) {
   using R = RealOf<T>;
   const R size = detail::larger_magnitude<R>(value_of(v.x()), value_of(v.y()));
-  const Vector2<T> scaled(T(v.x() / size), T(v.y() / size));
-  const T length = norm(scaled);
-  return Vector2<T>(T(scaled.x() / length), T(scaled.y() / length));
+  if (detail::squares_are_in_range(size)) return detail::direction_in_range(v);
+  return detail::direction_in_range(Vector2<T>(T(v.x() / size), T(v.y() / size)));
 }
 
 }  // namespace lubjoint

@@ -29,8 +29,10 @@ class LubricatedJoint {
   requires PolarLaw<Law> Vector2<T> force(const FilmState<T>& film, HalfFilmSide side)
   const {
     if (is_zero(film.velocity)) return scaled(force_ratio<Law>(film));
-    const auto on_side = [side](const FilmState<T>& state) { return detail::polar_law_in_plane<Law>(state, side); };
-    return scaled(detail::in_range_of_derivatives(film, on_side));
+    const auto on_side = [side](const FilmState<T>& state) {
+      return detail::polar_law_in_plane<Law>(polar_view(state), side);
+    };
+    return scaled(detail::in_range_of_rates(film, on_side));
   }
 
  private:

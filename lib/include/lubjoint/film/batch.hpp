@@ -1,0 +1,103 @@
+/// Film forces of many states at once.
+///
+/// States and forces are arrays, one for each component. Every row gets the bits that the functions for one state give
+/// (both compiled with -ffp-contract=off), whatever the instruction set, the number of rows and their place.
+///
+/// On x86-64 with AVX2 and FMA, which is found out at run time, full films, half films and Pinkus–Sternlicht are
+/// evaluated four rows an instruction. The two dynamic films (arctangent, series), all laws elsewhere, and single rows
+/// that need care (u = 0; ê = 0 under a half film; |u| or |ê| beyond 1e±59) are evaluated one by one.
+///
+/// An array that is written may be one that is read. Nothing is allocated.
+/// This header needs the compiled part lubjoint::batch.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "lubjoint/film/bearing.hpp"
+#include "lubjoint/film/film_state.hpp"
+
+namespace lubjoint {
+
+/// Film states in an inertial frame: ê [-] and u [1/s], as in FilmState.
+struct FilmStateArrays {
+  std::span<const double> ex, ey;
+  std::span<const double> ux, uy;
+};
+
+/// Film states in polar components: ε [-], a and b [1/s], as in PolarFilmState.
+struct PolarStateArrays {
+  std::span<const double> eccentricity_ratio;
+  std::span<const double> slip_rate;
+  std::span<const double> squeeze_rate;
+};
+
+/// Motions of journals in their bearings, as in JournalMotion: e [m], v [m/s], absolute spins [rad/s].
+struct JournalMotionArrays {
+  std::span<const double> ex, ey;
+  std::span<const double> vx, vy;
+  std::span<const double> bearing_spin;
+  std::span<const double> journal_spin;
+};
+
+/// Where forces go: x and y for states and motions in a frame, radial and tangential for polar states.
+struct ForceArrays {
+  std::span<double> first;
+  std::span<double> second;
+};
+
+/// A row without a film: |e| ≥ c, or a number that is not finite. The rows before it are answered, the others are as
+/// they were.
+class FilmRowError : public FilmDomainError {
+ public:
+  FilmRowError(std::size_t row, const std::string& reason);
+  std::size_t row() const { return row_; }
+  const std::string& reason() const { return reason_; }  ///< without the row
+
+ private:
+  std::size_t row_;
+  std::string reason_;
+};
+
+/// A row whose force is beyond the range of double precision; rows as for FilmRowError.
+class ForceRowError : public std::range_error {
+ public:
+  explicit ForceRowError(std::size_t row);
+  std::size_t row() const { return row_; }
+
+ private:
+  std::size_t row_;
+};
+
+enum class InstructionSet {
+  scalar,  ///< one row after the other, with what the build was compiled for
+  avx2     ///< AVX2 and FMA, x86-64
+};
+
+std::string_view name_of(InstructionSet set);
+/// True if this machine, and this build, have it.
+bool is_available(InstructionSet set);
+InstructionSet fastest_instruction_set();
+
+/// Forces over the force scale, F/S [1/s].
+/// @param law  one of film_law_names
+/// @throws FilmRowError, ForceRowError; std::invalid_argument for an unknown law, arrays of different lengths, an array
+///         that is written and overlaps another without being it, and an instruction set that is not available
+void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
+                       InstructionSet set = fastest_instruction_set());
+
+/// Forces of the film on the journal [N]; errors as of film_force_ratios.
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const FilmStateArrays& states, const ForceArrays& forces,
+                 InstructionSet set = fastest_instruction_set());
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const PolarStateArrays& states, const ForceArrays& forces,
+                 InstructionSet set = fastest_instruction_set());
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const JournalMotionArrays& motions, const ForceArrays& forces,
+                 InstructionSet set = fastest_instruction_set());
+
+}  // namespace lubjoint

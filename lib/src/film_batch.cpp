@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+
+#include "film_rows.hpp"
+#include "lubjoint/film/batch.hpp"
+#include "lubjoint/film/law_list.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LUBJOINT_HAS_AVX2 1
+#endif
+
+namespace lubjoint {
+
+FilmRowError::FilmRowError(std::size_t row, const std::string& reason)
+    : FilmDomainError("row " + std::to_string(row) + ": " + reason), row_(row), reason_(reason) {}
+
+ForceRowError::ForceRowError(std::size_t row)
+    : std::range_error("row " + std::to_string(row) +
+                       ": the force is beyond the range of double precision; allowed are smaller rates"),
+      row_(row) {}
+
+std::string_view name_of(InstructionSet set) { return set == InstructionSet::avx2 ? "avx2" : "scalar"; }
+
+bool is_available(InstructionSet set) {
+#ifdef LUBJOINT_HAS_AVX2
+  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  return set == InstructionSet::scalar || has_avx2;
+#else
+  return set == InstructionSet::scalar;
+#endif
+}
+
+InstructionSet fastest_instruction_set() {
+  return is_available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::scalar;
+}
+
+namespace {
+
+using detail::ForceBlock;
+
+/// The dynamic films have a branch on how the film opens, an arctangent and a series.
+template <class Law>
+constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same_v<Law, LongDynamic>;
+
+#ifdef LUBJOINT_HAS_AVX2
+template <FilmLaw Law, class Rows>
+[[gnu::target("avx2,fma"), gnu::flatten]] bool evaluate_avx2(const Rows& rows, std::size_t first, std::size_t count,
+                                                             double scale, ForceBlock& block) {
+  return detail::evaluate_rows<Law>(rows, first, count, scale, block);
+}
+#endif
+
+/// @returns true if all rows were ordinary and are answered
+template <FilmLaw Law, class Rows>
+bool evaluated_together([[maybe_unused]] const Rows& rows, [[maybe_unused]] std::size_t first,
+                        [[maybe_unused]] std::size_t count, [[maybe_unused]] double scale,
+                        [[maybe_unused]] ForceBlock& block) {
+#ifdef LUBJOINT_HAS_AVX2
+  if constexpr (is_straight<Law>) return evaluate_avx2<Law>(rows, first, count, scale, block);
+#endif
+  return false;
+}
+
+template <FilmLaw Law>
+Vector2<double> ratio_of(const FilmState<double>& film) {
+  return force_ratio<Law>(film);
+}
+
+template <FilmLaw Law>
+Vector2<double> ratio_of(const PolarFilmState<double>& state) {
+  const PolarForce<double> ratio = polar_force_ratio<Law>(state);
+  return Vector2<double>(ratio.radial, ratio.tangential);
+}
+
+template <FilmLaw Law, class Rows>
+void evaluate(const Rows& rows, double scale, const ForceArrays& forces, InstructionSet set) {
+  const bool together = set != InstructionSet::scalar && is_straight<Law> && detail::is_ordinary_scale(scale);
+  const std::size_t n = forces.first.size();
+  ForceBlock block;
+  for (std::size_t begin = 0; begin < n; begin += ForceBlock::capacity) {
+    const std::size_t count = std::min(n - begin, ForceBlock::capacity);
+    const auto answer = [&](std::size_t rows_answered) {
+      std::copy_n(block.first, rows_answered, forces.first.data() + begin);
+      std::copy_n(block.second, rows_answered, forces.second.data() + begin);
+    };
+    if (together && evaluated_together<Law>(rows, begin, count, scale, block)) {
+      answer(count);
+      continue;
+    }
+    std::size_t i = 0;
+    try {
+      for (; i < count; ++i) {
+        if (together && detail::is_ordinary<Law>(rows.quick(begin + i))) continue;
+        const Vector2<double> ratio = ratio_of<Law>(rows.checked(begin + i));
+        block.first[i] = scale * ratio.x();
+        block.second[i] = scale * ratio.y();
+        if (!std::isfinite(block.first[i]) || !std::isfinite(block.second[i])) throw ForceRowError(begin + i);
+      }
+    } catch (const FilmDomainError& error) {
+      answer(i);
+      throw FilmRowError(begin + i, error.what());
+    } catch (const ForceRowError&) {
+      answer(i);
+      throw;
+    }
+    answer(count);
+  }
+}
+
+struct NamedInput {
+  const char* name;
+  std::span<const double> values;
+};
+
+bool overlap(std::span<const double> a, std::span<const double> b) {
+  const std::less<const double*> before;
+  return !a.empty() && !b.empty() && before(a.data(), b.data() + b.size()) && before(b.data(), a.data() + a.size());
+}
+
+void require_arrays(std::initializer_list<NamedInput> inputs, const ForceArrays& forces, InstructionSet set) {
+  if (!is_available(set)) {
+    throw std::invalid_argument("instruction set " + std::string(name_of(set)) +
+                                " is not available on this machine; allowed is scalar");
+  }
+  const std::size_t rows = forces.first.size();
+  const auto require_rows = [rows](const char* name, std::size_t size) {
+    if (size == rows) return;
+    throw std::invalid_argument(std::string(name) + " has " + std::to_string(size) +
+                                " rows; allowed are as many as the first array of forces has, " + std::to_string(rows));
+  };
+  require_rows("the second array of forces", forces.second.size());
+  if (overlap(forces.first, forces.second)) {
+    throw std::invalid_argument("the two arrays of forces overlap; allowed are separate ones");
+  }
+  for (const NamedInput& input : inputs) {
+    require_rows(input.name, input.values.size());
+    for (const std::span<double> output : {forces.first, forces.second}) {
+      if (input.values.data() == output.data() || !overlap(input.values, output)) continue;
+      throw std::invalid_argument(std::string("an array of forces overlaps ") + input.name +
+                                  "; allowed are the same array and separate ones");
+    }
+  }
+}
+
+void evaluate_law(std::string_view law, const FilmStateArrays& s, const ForceArrays& forces, InstructionSet set,
+                  const auto& scale_of) {
+  require_arrays({{"ex", s.ex}, {"ey", s.ey}, {"ux", s.ux}, {"uy", s.uy}}, forces, set);
+  const detail::PlaneRows rows{s.ex.data(), s.ey.data(), s.ux.data(), s.uy.data()};
+  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, scale_of(Law::limit), forces, set); });
+}
+
+}  // namespace
+
+void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
+                       InstructionSet set) {
+  evaluate_law(law, states, ratios, set, [](BearingLimit) { return 1.0; });
+}
+
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const FilmStateArrays& states, const ForceArrays& forces, InstructionSet set) {
+  evaluate_law(law, states, forces, set, [&](BearingLimit limit) { return force_scale(limit, bearing, oil); });
+}
+
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const PolarStateArrays& s, const ForceArrays& forces, InstructionSet set) {
+  require_arrays(
+      {{"eccentricity_ratio", s.eccentricity_ratio}, {"slip_rate", s.slip_rate}, {"squeeze_rate", s.squeeze_rate}},
+      forces, set);
+  const detail::PolarRows rows{s.eccentricity_ratio.data(), s.slip_rate.data(), s.squeeze_rate.data()};
+  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set); });
+}
+
+void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const JournalMotionArrays& m, const ForceArrays& forces, InstructionSet set) {
+  require_arrays({{"ex", m.ex},
+                  {"ey", m.ey},
+                  {"vx", m.vx},
+                  {"vy", m.vy},
+                  {"bearing_spin", m.bearing_spin},
+                  {"journal_spin", m.journal_spin}},
+                 forces, set);
+  const detail::MotionRows rows{m.ex.data(),           m.ey.data(),           m.vx.data(),        m.vy.data(),
+                                m.bearing_spin.data(), m.journal_spin.data(), bearing.clearance()};
+  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set); });
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,150 @@
+/// Rows of states in arrays, and the loop over them that a compiler turns into vector instructions.
+#pragma once
+
+#include <cstdint>
+
+#include "lubjoint/film/batch.hpp"
+#include "lubjoint/film/law.hpp"
+
+namespace lubjoint::detail {
+
+/// Rows are evaluated in blocks into these arrays, not where they belong: so outputs may be inputs, and rows after one
+/// without a film stay as they are.
+struct ForceBlock {
+  static constexpr std::size_t capacity = 256;
+  alignas(64) double first[capacity];
+  alignas(64) double second[capacity];
+};
+
+/// Rates whose squares and their products are far from the ends of the range; inside of in_range_of_rates.
+inline bool is_ordinary_square(double x) { return (x > 1e-118) & (x < 1e118); }
+inline bool is_ordinary_rate(double x) { return (x > -1e59) & (x < 1e59); }  // false for NaN
+
+/// With an ordinary state no force over this scale leaves the range: |F/S| < 100 |u| q^{−5/2}, q ≥ 2^−106.
+inline bool is_ordinary_scale(double scale) { return scale < 1e100; }
+
+/// one_minus_squared_norm with both of its cases formed and one selected.
+inline double selected_one_minus_squared_norm(double x, double y) {
+  const double xx = x * x;
+  const double yy = y * y;
+  const double sum = xx + yy;
+  const double rough = 1 - sum;
+  const double fine = rough - left_out_of_square_sum(x, y, xx, yy, sum);
+  return rough >= 0.5 ? rough : fine;
+}
+
+/// By numbers, not by vectors: GCC keeps a copied vector in memory, and then can't vectorise the loop.
+inline FilmState<double> quick_film_state(double ex, double ey, double ux, double uy) {
+  return FilmState<double>(Vector2<double>(ex, ey), Vector2<double>(ux, uy), selected_one_minus_squared_norm(ex, ey),
+                           Unchecked());
+}
+
+/// Each kind of rows makes two states of row i: quickly, whatever the numbers are; and checked, with its error.
+/// is_ordinary tells of the first whether force() answers it, in the bits of the functions for one state.
+struct PlaneRows {
+  const double* ex;
+  const double* ey;
+  const double* ux;
+  const double* uy;
+
+  using State = FilmState<double>;
+
+  State quick(std::size_t i) const { return quick_film_state(ex[i], ey[i], ux[i], uy[i]); }
+  State checked(std::size_t i) const { return State(Vector2<double>(ex[i], ey[i]), Vector2<double>(ux[i], uy[i])); }
+};
+
+struct MotionRows {
+  const double* ex;
+  const double* ey;
+  const double* vx;
+  const double* vy;
+  const double* bearing_spin;
+  const double* journal_spin;
+  double clearance;
+
+  using State = FilmState<double>;
+
+  JournalMotion<double> motion(std::size_t i) const {
+    return {Vector2<double>(ex[i], ey[i]), Vector2<double>(vx[i], vy[i]), bearing_spin[i], journal_spin[i]};
+  }
+  State quick(std::size_t i) const {
+    const JournalMotion<double> m = motion(i);
+    const Vector2<double> e_hat = eccentricity_in_clearances(m, clearance);
+    const Vector2<double> u = pure_squeeze_velocity(m, clearance, e_hat);
+    return quick_film_state(e_hat.x(), e_hat.y(), u.x(), u.y());
+  }
+  State checked(std::size_t i) const { return film_state(motion(i), clearance); }
+};
+
+struct PolarRows {
+  const double* eccentricity_ratio;
+  const double* slip_rate;
+  const double* squeeze_rate;
+
+  using State = PolarFilmState<double>;
+
+  State quick(std::size_t i) const {
+    const double epsilon = eccentricity_ratio[i];
+    return State(epsilon, slip_rate[i], squeeze_rate[i], one_minus_square(epsilon), Unchecked());
+  }
+  State checked(std::size_t i) const { return State(eccentricity_ratio[i], slip_rate[i], squeeze_rate[i]); }
+};
+
+template <FilmLaw Law>
+bool is_ordinary(const FilmState<double>& film) {
+  const bool moves = is_ordinary_square(dot(film.velocity, film.velocity));
+  const bool has_direction = !PolarLaw<Law> || is_ordinary_square(dot(film.eccentricity, film.eccentricity));
+  return (film.q > 0) & moves & has_direction;
+}
+
+template <FilmLaw Law>
+bool is_ordinary(const PolarFilmState<double>& state) {
+  const bool inside = (state.q > 0) & (state.eccentricity_ratio >= 0);
+  if constexpr (PolarLaw<Law>) {
+    const bool slips = is_ordinary_rate(state.slip_rate);
+    const bool squeezes = is_ordinary_rate(state.squeeze_rate);
+    return inside & slips & squeezes;
+  } else {
+    const bool moves = is_ordinary<Law>(state.in_own_frame());
+    return inside & moves;
+  }
+}
+
+/// F/S of an ordinary state: no branch on where it lies.
+template <FilmLaw Law>
+Vector2<double> quick_ratio(const FilmState<double>& film) {
+  if constexpr (PolarLaw<Law>) {
+    const PolarView<double> view = polar_view_along(direction_in_range(film.eccentricity), film);
+    return polar_law_in_plane<Law>(view, side_of(film));
+  } else {
+    return Law::force_ratio(film);
+  }
+}
+
+template <FilmLaw Law>
+Vector2<double> quick_ratio(const PolarFilmState<double>& state) {
+  if constexpr (PolarLaw<Law>) {
+    const PolarForce<double> ratio = Law::force_ratio(state, side_of(state));
+    return Vector2<double>(ratio.radial, ratio.tangential);
+  } else {
+    return Law::force_ratio(state.in_own_frame());
+  }
+}
+
+/// Forces of rows first ... first + count − 1.
+/// @returns false if a row is not ordinary; what stands in its place is then no answer
+template <FilmLaw Law, class Rows>
+[[gnu::always_inline]] inline bool evaluate_rows(const Rows& rows, std::size_t first, std::size_t count, double scale,
+                                                 ForceBlock& block) {
+  std::int64_t odd = 0;  // as wide as a double, so that its lanes are the rows'
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto state = rows.quick(first + i);
+    odd |= is_ordinary<Law>(state) ? 0 : 1;
+    const Vector2<double> ratio = quick_ratio<Law>(state);
+    block.first[i] = scale * ratio.x();
+    block.second[i] = scale * ratio.y();
+  }
+  return odd == 0;
+}
+
+}  // namespace lubjoint::detail
