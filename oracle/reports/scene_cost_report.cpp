@@ -112,6 +112,9 @@ std::string cost_text(const SceneCost& cost) {
   for (const bool in_scene : {false, true}) {
     text +=
         in_scene ? "\nin use, and the right-hand side without it\n" : "\nleft out, and the right-hand side with it\n";
+    if (std::ranges::none_of(cost.variants, [&](const CostVariant& each) { return each.in_scene == in_scene; })) {
+      text += "  nothing of what is measured here\n";
+    }
     for (const CostVariant& variant : cost.variants) {
       if (variant.in_scene != in_scene) continue;
       text += fmt::format("  {:<48} {:>9.1f} ns {:>7.2f} x  ({})\n", variant.feature, variant.nanoseconds,

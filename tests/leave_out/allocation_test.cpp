@@ -66,15 +66,19 @@ struct Equations {
 }  // namespace
 
 TEST_CASE("the counter counts: vectors, aligned objects, Eigen's matrices, malloc") {
-  std::size_t kept = 0;
-  CHECK(allocations_of([&] { kept += std::vector<double>(100).size(); }) == 1);
+  // Seen from outside, so that the compiler can't do without it.
+  const auto seen = [](const void* place) { asm volatile("" : : "r"(place) : "memory"); };
   struct alignas(64) Wide {
     double numbers[8];
   };
-  CHECK(allocations_of([&] { kept += std::make_unique<Wide>() ? 1 : 0; }) == 1);
-  CHECK(allocations_of([&] { kept += static_cast<std::size_t>(Eigen::MatrixXd::Zero(9, 9).eval().size()); }) == 1);
-  CHECK(allocations_of([&] { std::free(std::malloc(10)); }) == 1);
-  CHECK(kept == 182);
+  CHECK(allocations_of([&] { seen(std::vector<double>(100).data()); }) == 1);
+  CHECK(allocations_of([&] { seen(std::make_unique<Wide>().get()); }) == 1);
+  CHECK(allocations_of([&] { seen(Eigen::MatrixXd(Eigen::MatrixXd::Zero(9, 9)).data()); }) == 1);
+  CHECK(allocations_of([&] {
+          void* place = std::malloc(10);
+          seen(place);
+          std::free(place);
+        }) == 1);
 }
 
 TEST_CASE("no film law allocates, on numbers or with derivatives") {
@@ -86,8 +90,8 @@ TEST_CASE("no film law allocates, on numbers or with derivatives") {
     const std::size_t taken = allocations_of([&] {
       for (const double epsilon : {0.0, 1e-300, 0.3, 0.99, 1 - 1e-12}) {
         for (const double speed : {0.0, 1e-300, -2.0, 5.0}) {
-          const FilmState<double> film(Vector2<double>(epsilon, 0.1 * epsilon), Vector2<double>(speed, 0.5 * speed));
-          if (epsilon < 0.99) sum += film_force<Law>(bearing, oil, film).x();
+          const FilmState<double> film(Vector2<double>(epsilon, 0), Vector2<double>(speed, 0.5 * speed));
+          sum += film_force<Law>(bearing, oil, film).x();
           const FilmState<Dual> dual(Vector2<Dual>(Dual(epsilon, 4, 0), Dual(0.0, 4, 1)),
                                      Vector2<Dual>(Dual(speed, 4, 2), Dual(0.5 * speed, 4, 3)));
           sum += film_force<Law>(bearing, oil, dual).x().value();
