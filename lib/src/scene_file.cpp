@@ -9,6 +9,7 @@
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/nearest_name.hpp"
+#include "scene_changes.hpp"
 #include "scene_parts.hpp"
 
 namespace lubjoint {
@@ -156,26 +157,39 @@ Scene read_scene(TableReader root, const std::string& file) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file) {
-  const std::string name = file.string();
+SceneFile::SceneFile(const std::filesystem::path& file) : name_(file.string()) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw SceneError(name + ": is a folder; allowed is a scene file (TOML)");
+    throw SceneError(name_ + ": is a folder; allowed is a scene file (TOML)");
   }
   std::ifstream stream(file, std::ios::binary);
-  std::string text;
   std::array<char, 4096> piece{};
   while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    text_.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  if (!stream.is_open() || stream.bad()) throw SceneError(name + ": can't be read; allowed is a scene file (TOML)");
+  if (!stream.is_open() || stream.bad()) throw SceneError(name_ + ": can't be read; allowed is a scene file (TOML)");
+}
+
+namespace {
+toml::table parse(const std::string& text, const std::string& name) {
   try {
-    const toml::table table = toml::parse(text, name);
-    return read_scene(TableReader(table, name, ""), name);
+    return toml::parse(text, name);
   } catch (const toml::parse_error& failure) {
     throw SceneError(name + ":" + std::to_string(failure.source().begin.line) +
                      ": not valid TOML: " + std::string(failure.description()) + "; allowed is TOML 1.0");
   }
+}
+}  // namespace
+
+Scene SceneFile::scene(const std::vector<SceneChange>& changes) const {
+  toml::table table = parse(text_, name_);
+  for (const SceneChange& change : changes) change_value(table, change, name_);
+  return read_scene(TableReader(table, name_, ""), name_);
+}
+
+std::string SceneFile::numbered_key(const std::string& key) const {
+  toml::table table = parse(text_, name_);
+  return find_value(table, key, name_);
 }
 
 }  // namespace lubjoint

@@ -59,7 +59,10 @@ std::string TableReader::key_path(std::string_view key) const {
 }
 
 void TableReader::fail(const toml::source_region& where, const std::string& what) const {
-  throw SceneError(file_ + ":" + std::to_string(where.begin.line) + ": " + printable(what));
+  // A value that was put in place of the file's, and a table made for it, have no line: that of the table, or the
+  // first.
+  const auto line = where.begin.line ? where.begin.line : std::max<toml::source_index>(1, table_.source().begin.line);
+  throw SceneError(file_ + ":" + std::to_string(line) + ": " + printable(what));
 }
 
 void TableReader::refuse(std::string_view key, const std::string& given, const std::string& allowed) const {

@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
   lubjoint::cli::add_model_error(app, action);
   lubjoint::cli::add_accuracy(app, action);
   lubjoint::cli::add_bench(app, action);
+  lubjoint::cli::add_cost(app, action);
+  lubjoint::cli::add_sweep(app, action);
 #if LUBJOINT_HAS_CERTIFIED
   lubjoint::cli::add_golden(app, action);
 #endif

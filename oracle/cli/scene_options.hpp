@@ -28,11 +28,22 @@ struct SceneOptions {
 
   /// The scene, read and changed. @throws SceneError, std::invalid_argument
   Scene load() const {
+    require();
+    Scene scene = load_scene(file);
+    change(scene);
+    return scene;
+  }
+
+  /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
+  void require() const {
     if (law) require_name("--law", *law, film_law_names);
     if (integrator) require_name("--integrator", *integrator, integrator_names);
     if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
-    Scene scene = load_scene(file);
+  }
+
+  /// Changes a scene. @throws std::invalid_argument
+  void change(Scene& scene) const {
     if (law) {
       for (SceneJoint& joint : scene.joints) {
         if (joint.film != no_film) joint.film = *law;
@@ -45,7 +56,6 @@ struct SceneOptions {
       require_option("--duration", *duration, *duration / scene.run.output_interval <= 1e7,
                      "at most ten million output intervals of the scene");
     }
-    return scene;
   }
 };
 

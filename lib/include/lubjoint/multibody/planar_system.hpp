@@ -16,7 +16,37 @@ struct Baumgarte {
   R beta = R(0);
 };
 
-/// What a run keeps of a system between evaluations, for one scalar T. Made by PlanarSystem::workspace.
+namespace detail {
+
+/// What the solve needs beside the workspace on a scalar with derivatives: the numbers, and the derivatives as
+/// right-hand sides of the same factors. On a plain number, nothing.
+template <class T, bool = ScalarTraits<T>::carries_derivatives>
+struct ImplicitDifferentiation {
+  void resize(std::size_t, std::size_t) {}
+};
+template <class T>
+struct ImplicitDifferentiation<T, true> {
+  using R = RealOf<T>;
+  using Derivatives = std::decay_t<decltype(std::declval<T>().derivatives())>;
+  std::vector<ConstraintRow<R>> rows;
+  std::vector<R> accelerations;
+  std::vector<R> multipliers;
+  std::vector<Derivatives> d_accelerations;
+  std::vector<Derivatives> d_multipliers;
+
+  void resize(std::size_t coordinates, std::size_t constraint_rows) {
+    rows.resize(constraint_rows);
+    accelerations.resize(coordinates);
+    multipliers.resize(constraint_rows);
+    d_accelerations.resize(coordinates);
+    d_multipliers.resize(constraint_rows);
+  }
+};
+
+}  // namespace detail
+
+/// What a run keeps of a system between evaluations, for one scalar T. Made by PlanarSystem::workspace; an evaluation
+/// takes no other memory.
 template <class T>
 struct SystemWorkspace {
   using R = RealOf<T>;
@@ -24,9 +54,11 @@ struct SystemWorkspace {
   PlanarFrame<T> ground{ground_motion<T>()};
   std::vector<ConstraintRow<T>> rows;
   std::vector<JointForce<T>> joints;
-  std::vector<T> accelerations;  ///< q̈, and before the solve g
+  std::vector<T> forces;         ///< g: loads, weights and joints
+  std::vector<T> accelerations;  ///< q̈
   std::vector<T> multipliers;    ///< λ
   EnvelopeCholesky<R> schur;     ///< Φq M⁻¹ Φqᵀ
+  detail::ImplicitDifferentiation<T> implicit;
 };
 
 /// Bodies, constraints, joints. The state is y = (q, q̇), q = (x, y, φ) of every body in turn.
@@ -63,9 +95,11 @@ class PlanarSystem {
     w.frames.assign(bodies_.size(), PlanarFrame<T>(ground_motion<T>()));
     w.rows.resize(constraint_rows());
     w.joints.resize(joints_.size());
+    w.forces.resize(coordinates());
     w.accelerations.resize(coordinates());
     w.multipliers.resize(constraint_rows());
     w.schur = EnvelopeCholesky<R>(envelope_);
+    w.implicit.resize(coordinates(), constraint_rows());
     return w;
   }
 
@@ -77,14 +111,9 @@ class PlanarSystem {
   void evaluate(const Time& t, const T* y, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
     place(y, w);
     apply_forces(memory, w);
-    if (constraint_rows() == 0) {
-      for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        for (std::size_t k = 0; k < 3; ++k)
-          w.accelerations[3 * b + k] = inverse_mass_[b][k] * w.accelerations[3 * b + k];
-      }
-      return;
-    }
+    if (constraint_rows() == 0) return accelerate_freely(w);
     evaluate_constraints(t, w);
+    factorise(w);
     solve(w);
   }
 
@@ -95,10 +124,101 @@ class PlanarSystem {
     evaluate_constraints(t, w);
   }
 
-  /// Factors of Φq M⁻¹ Φqᵀ of the workspace's rows. @throws SingularConstraints
-  void factorise(SystemWorkspace<R>& w) const {
-    assemble(w.rows, w.schur);
+  // The parts of evaluate, in its order. Each reads what those before it have left in the workspace.
+
+  /// Frames of the bodies.
+  template <class T>
+  void place(const T* y, SystemWorkspace<T>& w) const {
+    const T* v = y + coordinates();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      w.frames[b] = PlanarFrame<T>(PlanarMotion<T>{Vector2<T>(y[3 * b], y[3 * b + 1]), y[3 * b + 2],
+                                                   Vector2<T>(v[3 * b], v[3 * b + 1]), v[3 * b + 2]});
+    }
+  }
+
+  /// Weights, loads and joints, into forces. @throws FilmDomainError
+  template <class T>
+  void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const PlanarBody<R>& body = bodies_[b];
+      w.forces[3 * b] = T(body.mass * gravity_.x() + body.load.x());
+      w.forces[3 * b + 1] = T(body.mass * gravity_.y() + body.load.y());
+      w.forces[3 * b + 2] = T(body.moment);
+    }
+    static const JointMemory<R> no_memory;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const JointElement<R>& joint = joints_[j];
+      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
+                                memory.empty() ? no_memory : memory[j]);
+      const JointForce<T>& force = w.joints[j];
+      const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
+      add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);
+      add(joint.journal_at.body, wrenches.journal, force.contact.couple, w);
+    }
+  }
+
+  /// Constraint rows of the frames.
+  template <class T, class Time>
+  void evaluate_constraints(const Time& t, SystemWorkspace<T>& w) const {
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      const Sides& sides = sides_[first_row_[c]];
+      std::visit(
+          [&](const auto& constraint) {
+            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
+          },
+          constraints_[c].constraint);
+    }
+  }
+
+  /// Factors of Φq M⁻¹ Φqᵀ of the rows. @throws SingularConstraints
+  template <class T>
+  void factorise(SystemWorkspace<T>& w) const {
+    if constexpr (ScalarTraits<T>::carries_derivatives) {
+      for (std::size_t i = 0; i < w.rows.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          w.implicit.rows[i].first[k] = value_of(w.rows[i].first[k]);
+          w.implicit.rows[i].second[k] = value_of(w.rows[i].second[k]);
+        }
+      }
+      assemble(w.implicit.rows, w.schur);
+    } else {
+      assemble(w.rows, w.schur);
+    }
     w.schur.factorise();
+  }
+
+  /// λ and q̈ from forces, rows and factors.
+  void solve(SystemWorkspace<R>& w) const {
+    accelerate_freely(w);
+    for (std::size_t row = 0; row < w.rows.size(); ++row) w.multipliers[row] = -wanted_acceleration(row, w);
+    constrain(w.rows, w.schur, w.multipliers.data(), w.accelerations.data());
+  }
+
+  /// d(g − Φqᵀλ − M q̈) = 0 and d(Φq q̈ − wanted) = 0 with q̈ and λ held give the right-hand sides of dq̈ and dλ.
+  template <class T>
+  void solve(SystemWorkspace<T>& w) const {
+    auto& [rows, a, lambda, da, dlambda] = w.implicit;
+    const std::size_t n = coordinates();
+    for (std::size_t i = 0; i < n; ++i) a[i] = inverse_mass_[i / 3][i % 3] * value_of(w.forces[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const T wanted = wanted_acceleration(i, w);
+      lambda[i] = -value_of(wanted);
+      dlambda[i] = -wanted.derivatives();
+    }
+    constrain(rows, w.schur, lambda.data(), a.data());
+
+    for (std::size_t i = 0; i < n; ++i) da[i] = w.forces[i].derivatives();
+    for_each_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<T, 3>& columns = second ? w.rows[row].second : w.rows[row].first;
+      for (std::size_t k = 0; k < 3; ++k) {
+        da[3 * body + k] -= lambda[row] * columns[k].derivatives();
+        dlambda[row] += a[3 * body + k] * columns[k].derivatives();
+      }
+    });
+    for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3][i % 3];
+    constrain(rows, w.schur, dlambda.data(), da.data());
+    for (std::size_t i = 0; i < n; ++i) w.accelerations[i] = T(a[i], da[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) w.multipliers[i] = T(lambda[i], dlambda[i]);
   }
 
   /// x −= M⁻¹ Φqᵀ μ, x in coordinates.
@@ -175,57 +295,16 @@ class PlanarSystem {
   }
 
   template <class T>
-  void place(const T* y, SystemWorkspace<T>& w) const {
-    const T* v = y + coordinates();
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      w.frames[b] = PlanarFrame<T>(PlanarMotion<T>{Vector2<T>(y[3 * b], y[3 * b + 1]), y[3 * b + 2],
-                                                   Vector2<T>(v[3 * b], v[3 * b + 1]), v[3 * b + 2]});
-    }
-  }
-
-  template <class T>
   const PlanarFrame<T>& frame(std::size_t body, const SystemWorkspace<T>& w) const {
     return body == ground_body ? w.ground : w.frames[body];
   }
 
   template <class T>
-  void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const PlanarBody<R>& body = bodies_[b];
-      w.accelerations[3 * b] = T(body.mass * gravity_.x() + body.load.x());
-      w.accelerations[3 * b + 1] = T(body.mass * gravity_.y() + body.load.y());
-      w.accelerations[3 * b + 2] = T(body.moment);
-    }
-    static const JointMemory<R> no_memory;
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      const JointElement<R>& joint = joints_[j];
-      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
-                                memory.empty() ? no_memory : memory[j]);
-      const JointForce<T>& force = w.joints[j];
-      const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
-      add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);
-      add(joint.journal_at.body, wrenches.journal, force.contact.couple, w);
-    }
-  }
-
-  template <class T>
   void add(std::size_t body, const Wrench<T>& wrench, const T& couple, SystemWorkspace<T>& w) const {
     if (body == ground_body) return;
-    w.accelerations[3 * body] += wrench.force.x();
-    w.accelerations[3 * body + 1] += wrench.force.y();
-    w.accelerations[3 * body + 2] += wrench.moment + couple;
-  }
-
-  template <class T, class Time>
-  void evaluate_constraints(const Time& t, SystemWorkspace<T>& w) const {
-    for (std::size_t c = 0; c < constraints_.size(); ++c) {
-      const Sides& sides = sides_[first_row_[c]];
-      std::visit(
-          [&](const auto& constraint) {
-            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
-          },
-          constraints_[c].constraint);
-    }
+    w.forces[3 * body] += wrench.force.x();
+    w.forces[3 * body + 1] += wrench.force.y();
+    w.forces[3 * body + 2] += wrench.moment + couple;
   }
 
   template <class T>
@@ -270,67 +349,23 @@ class PlanarSystem {
     }
   }
 
-  void solve(SystemWorkspace<R>& w) const {
-    assemble(w.rows, w.schur);
-    w.schur.factorise();
+  /// q̈ = M⁻¹g
+  template <class T>
+  void accelerate_freely(SystemWorkspace<T>& w) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      for (std::size_t k = 0; k < 3; ++k) w.accelerations[3 * b + k] *= inverse_mass_[b][k];
+      for (std::size_t k = 0; k < 3; ++k) w.accelerations[3 * b + k] = inverse_mass_[b][k] * w.forces[3 * b + k];
     }
-    for (std::size_t row = 0; row < w.rows.size(); ++row) w.multipliers[row] = -wanted_acceleration(row, w);
-    for_each_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<R, 3>& columns = second ? w.rows[row].second : w.rows[row].first;
-      for (std::size_t k = 0; k < 3; ++k) w.multipliers[row] += columns[k] * w.accelerations[3 * body + k];
-    });
-    w.schur.solve(w.multipliers.data());
-    subtract_constraint_forces(w.rows, w.multipliers.data(), w.accelerations.data());
   }
 
-  /// d(g − Φqᵀλ − M q̈) = 0 and d(Φq q̈ − wanted) = 0 with q̈ and λ held give the right-hand sides of dq̈ and dλ.
-  template <class T>
-  void solve(SystemWorkspace<T>& w) const {
-    using Derivatives = std::decay_t<decltype(w.accelerations[0].derivatives())>;
-    const std::size_t n = coordinates();
-    std::vector<ConstraintRow<R>> rows(w.rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].gamma = value_of(wanted_acceleration(i, w));
-      for (std::size_t k = 0; k < 3; ++k) {
-        rows[i].first[k] = value_of(w.rows[i].first[k]);
-        rows[i].second[k] = value_of(w.rows[i].second[k]);
-      }
-    }
-    assemble(rows, w.schur);
-    w.schur.factorise();
-    std::vector<R> a(n);
-    std::vector<R> lambda(rows.size());
-    for (std::size_t i = 0; i < n; ++i) a[i] = inverse_mass_[i / 3][i % 3] * value_of(w.accelerations[i]);
-    for (std::size_t i = 0; i < rows.size(); ++i) lambda[i] = -rows[i].gamma;
+  /// From −wanted in lambda and M⁻¹g in a to λ and q̈. V: R, or its derivatives.
+  template <class V>
+  void constrain(const std::vector<ConstraintRow<R>>& rows, const EnvelopeCholesky<R>& schur, V* lambda, V* a) const {
     for_each_side([&](std::size_t row, std::size_t body, bool second) {
       const std::array<R, 3>& columns = second ? rows[row].second : rows[row].first;
       for (std::size_t k = 0; k < 3; ++k) lambda[row] += columns[k] * a[3 * body + k];
     });
-    w.schur.solve(lambda.data());
-    subtract_constraint_forces(rows, lambda.data(), a.data());
-
-    std::vector<Derivatives> da(n);
-    std::vector<Derivatives> dlambda(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) dlambda[i] = -wanted_acceleration(i, w).derivatives();
-    for (std::size_t i = 0; i < n; ++i) da[i] = w.accelerations[i].derivatives();
-    for_each_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<T, 3>& columns = second ? w.rows[row].second : w.rows[row].first;
-      for (std::size_t k = 0; k < 3; ++k) {
-        da[3 * body + k] -= lambda[row] * columns[k].derivatives();
-        dlambda[row] += a[3 * body + k] * columns[k].derivatives();
-      }
-    });
-    for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3][i % 3];
-    for_each_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<R, 3>& columns = second ? rows[row].second : rows[row].first;
-      for (std::size_t k = 0; k < 3; ++k) dlambda[row] += columns[k] * da[3 * body + k];
-    });
-    w.schur.solve(dlambda.data());
-    subtract_constraint_forces(rows, dlambda.data(), da.data());
-    for (std::size_t i = 0; i < n; ++i) w.accelerations[i] = T(a[i], da[i]);
-    for (std::size_t i = 0; i < rows.size(); ++i) w.multipliers[i] = T(lambda[i], dlambda[i]);
+    schur.solve(lambda);
+    subtract_constraint_forces(rows, lambda, a);
   }
 
   std::vector<PlanarBody<R>> bodies_;

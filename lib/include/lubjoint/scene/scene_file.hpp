@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <variant>
+#include <vector>
 
 #include "lubjoint/scene/scene.hpp"
 
@@ -14,8 +16,39 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads and checks a scene. Unknown and missing keys, wrong types and impossible values are refused.
+using SceneValue = std::variant<double, bool, std::string>;
+
+/// A value in place of one that a scene file has, or leaves out.
+struct SceneChange {
+  std::string key;  ///< as messages name it: joints[0].clearance, bodies[2].position[1]; or joints.NAME.clearance
+  SceneValue value;
+};
+
+/// The text of a scene file, read once: what happens to the file later changes no scene made from it.
+class SceneFile {
+ public:
+  /// @throws SceneError if the file can't be read
+  explicit SceneFile(const std::filesystem::path& file);
+
+  const std::string& name() const { return name_; }
+  const std::string& text() const { return text_; }
+
+  /// The scene, checked as if the file held the changed values. Unknown and missing keys, wrong types and impossible
+  /// values are refused.
+  /// @throws SceneError
+  Scene scene(const std::vector<SceneChange>& changes = {}) const;
+
+  /// A change's key with numbers in place of names: joints[0].clearance for joints.gudgeon-pin.clearance.
+  /// @throws SceneError if it leads nowhere
+  std::string numbered_key(const std::string& key) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+};
+
+/// Reads and checks a scene.
 /// @throws SceneError
-Scene load_scene(const std::filesystem::path& file);
+inline Scene load_scene(const std::filesystem::path& file) { return SceneFile(file).scene(); }
 
 }  // namespace lubjoint

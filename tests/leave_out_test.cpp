@@ -1,0 +1,157 @@
+// A scene pays only for what it has, and a program only for what it uses.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "support/run_program.hpp"
+#include "support/scene_text.hpp"
+
+using namespace lubjoint::test;
+using Words = std::vector<std::string>;
+
+namespace {
+
+const std::string scenes = LUBJOINT_SOURCE_DIR "/data/scenes/";
+
+/// What a tool of the compiler's says about a program.
+std::string looked_at(const std::string& tool, const Words& arguments) {
+  Words words{"sh", "-c", "exec " + tool + " \"$@\"", tool};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const ProgramResult result = run("/usr/bin/env", words);
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  return result.out;
+}
+
+std::string symbols_of(const std::string& program) { return looked_at("nm", {"-C", program}); }
+
+bool has(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+
+/// Libraries that a program asks for when it starts.
+std::set<std::string> libraries_of(const std::string& program) {
+  const std::string text = looked_at("readelf", {"-d", program});
+  std::set<std::string> names;
+  static const std::regex needed(R"(\(NEEDED\)[^\[]*\[(\w+))");
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), needed); it != std::sregex_iterator(); ++it) {
+    names.insert((*it)[1]);
+  }
+  return names;
+}
+
+/// Functions of the library that a scene's run has entered.
+std::string entered_by(const std::string& scene_file) {
+  const ProgramResult result = run(LUBJOINT_ENTERED_FUNCTIONS, {scene_file});
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  return result.out;
+}
+
+std::string changed(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  std::string result = text;
+  return result.replace(at, from.size(), to);
+}
+
+const Words contact_functions{"dry_contact_force", "transition_force", "seam_margins",
+                              "next_phase",        "starting_memory",  "normal_speed"};
+
+}  // namespace
+
+TEST_CASE("a program of film laws alone holds no oracle, no scene, no mechanics and no integrator") {
+  // Compiled without inlining: what is used has its symbol.
+  const std::string alone = symbols_of(LUBJOINT_FILM_LAWS_ALONE);
+  const std::string all = symbols_of(LUBJOINT_PROGRAM);
+  const std::string mechanics = symbols_of(LUBJOINT_ENTERED_FUNCTIONS);
+  CHECK(has(alone, "lubjoint::film_force<lubjoint::PinkusSternlicht"));
+  for (const std::string word : {"gsl_", "toml::", "CLI::", "fmt::", "nlohmann", "EVP_"}) {
+    INFO(word);
+    CHECK(has(all, word));  // else the search would find nothing anywhere
+    CHECK_FALSE(has(alone, word));
+  }
+  for (const std::string word : {"PlanarSystem", "EnvelopeCholesky", "JointElement", "ConstraintRow", "PlanarFrame",
+                                 "MultibodyOde", "Radau", "odeint", "Scene", "joint_kinematics"}) {
+    INFO(word);
+    CHECK(has(mechanics, word));
+    CHECK_FALSE(has(alone, word));
+  }
+}
+
+TEST_CASE("a program of film laws alone is linked with the compiler's own libraries") {
+  const std::set<std::string> alone = libraries_of(LUBJOINT_FILM_LAWS_ALONE);
+  const std::set<std::string> all = libraries_of(LUBJOINT_PROGRAM);
+  for (const std::string library : {"libgsl", "libtomlplusplus"}) {
+    INFO(library);
+    CHECK(all.contains(library));
+    CHECK_FALSE(alone.contains(library));
+  }
+  const std::set<std::string> compilers{"libstdc", "libm", "libgcc_s", "libc", "libc++"};
+  CHECK(std::includes(compilers.begin(), compilers.end(), alone.begin(), alone.end()));
+  const ProgramResult result = run(LUBJOINT_FILM_LAWS_ALONE, {});
+  CHECK(result.status == 0);
+  CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 8);
+}
+
+TEST_CASE("a free journal on a smooth law holds no multipliers, no contact, no ledger and no events") {
+  const std::string journal = symbols_of(LUBJOINT_SMOOTH_JOURNAL_ALONE);
+  const std::string mechanics = symbols_of(LUBJOINT_ENTERED_FUNCTIONS);
+  CHECK(has(journal, "lubjoint::SmoothMode"));
+  CHECK(has(journal, "lubjoint::RadauIIA5<double, 4ul>"));
+  Words absent{"PlanarSystem", "EnvelopeCholesky", "ConstraintRow", "JointElement",
+               "fill_powers",  "toms748",          "ContactPhase"};
+  absent.insert(absent.end(), contact_functions.begin(), contact_functions.end());
+  for (const std::string& word : absent) {
+    INFO(word);
+    CHECK(has(mechanics, word));
+    CHECK_FALSE(has(journal, word));
+  }
+  for (const std::string word : {"SidedMode", "SlidingMode", "HalfFilmSide"}) {
+    INFO(word);
+    CHECK(has(symbols_of(LUBJOINT_PROGRAM), word));
+    CHECK_FALSE(has(journal, word));
+  }
+}
+
+TEST_CASE("a run without contact enters no function of contact or of event location, one with contact all") {
+  const std::string without = entered_by(scenes + "slider-crank.toml");
+  const std::string with = entered_by(scenes + "impact.toml");
+  for (const std::string& name : contact_functions) {
+    INFO(name);
+    CHECK(has(with, name));
+    CHECK_FALSE(has(without, name));
+  }
+  CHECK(has(without, "PlanarSystem<double>::evaluate"));
+}
+
+TEST_CASE("a run without a ledger enters no function of it, one without constraints no solve") {
+  const TemporaryFolder folder;
+  const std::string impact = read_text(scenes + "impact.toml");
+  const std::string with = entered_by(scenes + "impact.toml");
+  const std::string without =
+      entered_by(folder.write("no-ledger.toml", changed(impact, "energy_ledger = true", "energy_ledger = false")));
+  for (const std::string name : {"fill_powers", "film_power", "contact_power"}) {
+    INFO(name);
+    CHECK(has(with, name));
+    CHECK_FALSE(has(without, name));
+  }
+  const std::string constrained = entered_by(scenes + "slider-crank.toml");
+  for (const std::string name : {"EnvelopeCholesky<double>::factorise", "EnvelopeCholesky<double>::solve",
+                                 "wanted_acceleration", "PlanarSystem<double>::solve"}) {
+    INFO(name);
+    CHECK(has(constrained, name));
+    CHECK_FALSE(has(with, name));
+  }
+}
+
+TEST_CASE("a run projects its steps onto the constraints only if its scene asks for it") {
+  const TemporaryFolder folder;
+  const std::string text = read_text(scenes + "slider-crank.toml");
+  const std::string baumgarte = entered_by(scenes + "slider-crank.toml");
+  std::string projecting = changed(text, "method = \"baumgarte\"", "method = \"projection\"");
+  projecting = changed(changed(projecting, "alpha = 5.0\n", ""), "beta = 5.0\n", "");
+  const std::string projection = entered_by(folder.write("projection.toml", projecting));
+  CHECK(has(projection, "project_onto_constraints"));
+  CHECK_FALSE(has(baumgarte, "project_onto_constraints"));
+}
