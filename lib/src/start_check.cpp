@@ -1,6 +1,7 @@
 #include "lubjoint/scene/start_check.hpp"
 
 #include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
 #include "multibody_simulation.hpp"
 
 namespace lubjoint {

@@ -54,9 +54,31 @@ void bench_finite_length(const BenchOptions& options) {
   options.save("bench-finite-length.csv", reports::quadrature_csv(rows));
 }
 
+/// One scene of each kind.
+std::vector<std::string_view> quick_scenes() {
+  return {"journal", "slider-crank", "slider-crank-c0.5-mu0.04", "slider-crank-torque", "impact"};
+}
+
+std::vector<std::string_view> shipped_scenes() {
+  return {"journal",
+          "slider-crank",
+          "slider-crank-c0.1-mu0.4",
+          "slider-crank-c0.5-mu0.4",
+          "slider-crank-c0.2-mu0.04",
+          "slider-crank-c0.5-mu0.04",
+          "slider-crank-ideal",
+          "slider-crank-torque",
+          "impact"};
+}
+
 void bench_scenes(const BenchOptions& options) {
   std::vector<Scene> scenes;
   for (const std::string& file : options.scenes) scenes.push_back(load_scene(file));
+  if (scenes.empty()) {
+    for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
+      scenes.push_back(load_scene(std::filesystem::path(LUBJOINT_SCENES) / (std::string(name) + ".toml")));
+    }
+  }
   auto settings = reports::scene_bench_settings(options.quick);
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
   const auto bench = reports::bench_scenes(scenes, settings);
@@ -69,10 +91,11 @@ constexpr std::array bench_tables = {
     BenchTable{"laws", "force laws: scalar, batch, long double, quadrature, finite length", bench_laws},
     BenchTable{"quadrature", "quadrature rules on the one-dimensional films", bench_quadrature},
     BenchTable{"finite-length", "films of finite length by tolerance", bench_finite_length},
-    BenchTable{"scenes", "the scenes that --scene names, by formulation, integrator and tolerance", bench_scenes}};
+    BenchTable{"scenes", "scenes by formulation, integrator and tolerance (those of --scene, or those that ship)",
+               bench_scenes}};
 
 std::string described_tables() {
-  std::string text = "Which tables; none named: scenes if --scene is given, otherwise all others.";
+  std::string text = "Which tables; none named: scenes if --scene is given, otherwise all.";
   for (const BenchTable& table : bench_tables) text += "\n" + std::string(table.name) + ": " + std::string(table.about);
   return text;
 }
@@ -86,16 +109,13 @@ void require_tables(const BenchOptions& options) {
     throw std::invalid_argument("there is no table \"" + name + "\"; allowed are " + list);
   }
   const bool named = std::ranges::find(options.tables, "scenes") != options.tables.end();
-  if (named && options.scenes.empty()) {
-    throw std::invalid_argument("no scene for the table scenes; required is --scene FILE");
-  }
   if (!named && !options.tables.empty() && !options.scenes.empty()) {
     throw std::invalid_argument("--scene is given without the table scenes; allowed are both or neither");
   }
 }
 
 bool is_wanted(const BenchTable& table, const BenchOptions& options) {
-  if (options.tables.empty()) return (table.name == "scenes") != options.scenes.empty();
+  if (options.tables.empty()) return table.name == "scenes" || options.scenes.empty();
   return std::ranges::find(options.tables, table.name) != options.tables.end();
 }
 
@@ -118,7 +138,7 @@ void add_bench(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
   command->add_option("tables", options->tables, described_tables());
-  command->add_option("--scene", options->scenes, "Scene files");
+  command->add_option("--scene", options->scenes, "Scene files in place of those that ship");
   command->add_option("--out", options->out, "Folder for the tables as CSV");
   command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
   command->callback([options, &action] { action = [options] { return run_bench(*options); }; });

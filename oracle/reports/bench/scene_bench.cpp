@@ -129,7 +129,7 @@ SceneBenchSettings scene_bench_settings(bool quick) {
   SceneBenchSettings settings;
   if (quick) {
     settings.tolerances = {1e-4, 1e-7, 1e-10};
-    settings.limits = {3, 0.25};
+    settings.limits = {3, 0.12};
   } else {
     for (int decade = 2; decade <= 13; ++decade) settings.tolerances.push_back(std::pow(10.0, -decade));
     settings.limits = {9, 10};
