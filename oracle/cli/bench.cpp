@@ -16,7 +16,8 @@ namespace {
 
 struct BenchOptions {
   std::vector<std::string> tables;
-  std::vector<std::string> scenes;
+  std::vector<std::string> scene_files;
+  std::vector<Scene> scenes;  ///< of these files
   std::optional<std::filesystem::path> out;
   bool quick = false;
 
@@ -55,11 +56,9 @@ void bench_finite_length(const BenchOptions& options) {
 }
 
 void bench_scenes(const BenchOptions& options) {
-  std::vector<Scene> scenes;
-  for (const std::string& file : options.scenes) scenes.push_back(load_scene(file));
   auto settings = reports::scene_bench_settings(options.quick);
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
-  const auto bench = reports::bench_scenes(scenes, settings);
+  const auto bench = reports::bench_scenes(options.scenes, settings);
   std::cout << reports::scene_bench_table(bench);
   options.save("bench-scenes.csv", reports::scene_bench_csv(bench));
   if (options.out) reports::draw_scene_bench(bench, *options.out);
@@ -95,11 +94,12 @@ void require_tables(const BenchOptions& options) {
 }
 
 bool is_wanted(const BenchTable& table, const BenchOptions& options) {
-  if (options.tables.empty()) return (table.name == "scenes") != options.scenes.empty();
+  if (options.tables.empty()) return (table.name == "scenes") == !options.scenes.empty();
   return std::ranges::find(options.tables, table.name) != options.tables.end();
 }
 
-int run_bench(const BenchOptions& options) {
+int run_bench(BenchOptions options) {
+  for (const std::string& file : options.scene_files) options.scenes.push_back(load_scene(file));
   require_tables(options);
   if (options.out) reports::prepare_folder(*options.out);
   for (const BenchTable& table : bench_tables) {
@@ -118,7 +118,7 @@ void add_bench(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
   command->add_option("tables", options->tables, described_tables());
-  command->add_option("--scene", options->scenes, "Scene files");
+  command->add_option("--scene", options->scene_files, "Scene files");
   command->add_option("--out", options->out, "Folder for the tables as CSV");
   command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
   command->callback([options, &action] { action = [options] { return run_bench(*options); }; });
