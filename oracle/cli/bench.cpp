@@ -16,7 +16,8 @@ namespace {
 
 struct BenchOptions {
   std::vector<std::string> tables;
-  std::vector<std::string> scenes;
+  std::vector<std::string> scene_files;
+  std::vector<Scene> scenes;  ///< of these files
   std::optional<std::filesystem::path> out;
   bool quick = false;
 
@@ -72,16 +73,9 @@ std::vector<std::string_view> shipped_scenes() {
 }
 
 void bench_scenes(const BenchOptions& options) {
-  std::vector<Scene> scenes;
-  for (const std::string& file : options.scenes) scenes.push_back(load_scene(file));
-  if (scenes.empty()) {
-    for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
-      scenes.push_back(load_scene(std::filesystem::path(LUBJOINT_SCENES) / (std::string(name) + ".toml")));
-    }
-  }
   auto settings = reports::scene_bench_settings(options.quick);
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
-  const auto bench = reports::bench_scenes(scenes, settings);
+  const auto bench = reports::bench_scenes(options.scenes, settings);
   std::cout << reports::scene_bench_table(bench);
   options.save("bench-scenes.csv", reports::scene_bench_csv(bench));
   if (options.out) reports::draw_scene_bench(bench, *options.out);
@@ -109,18 +103,24 @@ void require_tables(const BenchOptions& options) {
     throw std::invalid_argument("there is no table \"" + name + "\"; allowed are " + list);
   }
   const bool named = std::ranges::find(options.tables, "scenes") != options.tables.end();
-  if (!named && !options.tables.empty() && !options.scenes.empty()) {
+  if (!named && !options.tables.empty() && !options.scene_files.empty()) {
     throw std::invalid_argument("--scene is given without the table scenes; allowed are both or neither");
   }
 }
 
 bool is_wanted(const BenchTable& table, const BenchOptions& options) {
-  if (options.tables.empty()) return table.name == "scenes" || options.scenes.empty();
+  if (options.tables.empty()) return table.name == "scenes" || options.scene_files.empty();
   return std::ranges::find(options.tables, table.name) != options.tables.end();
 }
 
-int run_bench(const BenchOptions& options) {
+int run_bench(BenchOptions options) {
+  for (const std::string& file : options.scene_files) options.scenes.push_back(load_scene(file));
   require_tables(options);
+  if (options.scenes.empty()) {
+    for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
+      options.scenes.push_back(load_scene(std::filesystem::path(LUBJOINT_SCENES) / (std::string(name) + ".toml")));
+    }
+  }
   if (options.out) reports::prepare_folder(*options.out);
   for (const BenchTable& table : bench_tables) {
     if (!is_wanted(table, options)) continue;
@@ -138,7 +138,7 @@ void add_bench(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
   command->add_option("tables", options->tables, described_tables());
-  command->add_option("--scene", options->scenes, "Scene files in place of those that ship");
+  command->add_option("--scene", options->scene_files, "Scene files in place of those that ship");
   command->add_option("--out", options->out, "Folder for the tables as CSV");
   command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
   command->callback([options, &action] { action = [options] { return run_bench(*options); }; });
