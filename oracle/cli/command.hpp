@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracle/reports/data_folder.hpp"
+
 namespace lubjoint::cli {
 
 /// Set by the command that the user named; returns the exit status.
@@ -28,6 +30,9 @@ void add_sweep(CLI::App& app, Action& action);
 void add_golden(CLI::App& app, Action& action);  // where the enclosures are built
 void add_verify(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);  // where the proofs are built
+
+/// Folder of the scenes that ship with the program.
+inline std::string scenes_folder() { return reports::data_folder() / "scenes"; }
 
 /// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed
 inline void require_option(const std::string& name, double given, bool allowed, const std::string& words) {

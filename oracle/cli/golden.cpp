@@ -8,6 +8,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/csv_table.hpp"
+#include "oracle/reports/data_folder.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/journal_trajectory.hpp"
@@ -18,7 +19,7 @@ namespace lubjoint::cli {
 namespace {
 
 struct GoldenOptions {
-  std::string out = LUBJOINT_GOLDEN;
+  std::string out = reports::data_folder() / "golden";
   bool check = false;
   bool trajectories = false;
   bool fresh = false;
@@ -48,7 +49,7 @@ int run_golden(const GoldenOptions& options) {
 /// Trajectories: one file a law, each written when it is done, so that an interrupted run goes on where it was.
 int run_trajectories(const GoldenOptions& options) {
   namespace fs = std::filesystem;
-  const Scene scene = load_scene(fs::path(LUBJOINT_SCENES) / "journal.toml");
+  const Scene scene = load_scene(reports::data_folder() / "scenes" / "journal.toml");
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
   const Vector2<double>& load = scene.loads.front().force;
