@@ -19,3 +19,10 @@ function(lubjoint_library name)
   add_library(lubjoint::${name} ALIAS lubjoint_${name})
   target_link_libraries(lubjoint_${name} PRIVATE $<BUILD_INTERFACE:lubjoint_build_flags>)
 endfunction()
+
+# Odeint 1.74 copies steppers whose work arrays are not yet filled, and GCC sees it in these sources.
+function(lubjoint_copies_steppers)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -Wno-maybe-uninitialized -Wno-uninitialized)
+  endif()
+endfunction()

@@ -30,10 +30,12 @@ for program in force_law c_by_cmake c_by_pkg_config; do
 done
 "$place/build/scene_file" "$place/usr/share/lubjoint/scenes/journal.toml" || fail "the scene was not run"
 
-# No GPL library (GSL, GiNaC), and nothing else that the README does not name, is behind any part of lib.
-for file in "$place/build/force_law" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so"; do
+# No GPL library (GSL, GiNaC), and nothing else that the README does not name, is behind lib and what Python loads.
+for file in "$place/build/force_law" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so" \
+  "$build/oracle/verify/liblubjoint_verify_c.so"; do
+  [ -f "$file" ] || fail "$file is not there"
   needed=$(objdump -p "$file" | sed -n 's/^ *NEEDED *//p' |
-    grep -vE '^(lib(c|m|gcc_s|stdc\+\+|tomlplusplus|lubjoint_c|asan|ubsan)\.so|ld-linux)' || true)
+    grep -vE '^(lib(c|m|gcc_s|stdc\+\+|tomlplusplus|fmt|lubjoint_c|asan|ubsan)\.so|ld-linux)' || true)
   [ -z "$needed" ] || fail "$(basename "$file") needs $needed"
 done
 
