@@ -1,5 +1,5 @@
 # cmake --install: what goes where. Components (cmake --install build --component NAME), also the Debian packages':
-#   dev    headers, CMake package, pkg-config file, the static library of scenes
+#   dev    headers, CMake package, pkg-config file, the static libraries (batch evaluation, scenes)
 #   c      the shared library of the C interface
 #   tool   the program and the data that it reads
 include(CMakePackageConfigHelpers)
@@ -18,10 +18,12 @@ if(TARGET lubjoint_c)
   configure_file(cmake/lubjoint-c.pc.in ${PROJECT_BINARY_DIR}/lubjoint-c.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/lubjoint-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 endif()
-if(TARGET lubjoint_scene)
-  install(TARGETS lubjoint_scene EXPORT scene ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
-endif()
-foreach(part headers c scene)
+foreach(part batch scene)
+  if(TARGET lubjoint_${part})
+    install(TARGETS lubjoint_${part} EXPORT ${part} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+  endif()
+endforeach()
+foreach(part headers batch c scene)
   if(part STREQUAL "headers" OR TARGET lubjoint_${part})
     install(EXPORT ${part} NAMESPACE lubjoint:: FILE lubjoint-${part}.cmake DESTINATION ${package_folder} COMPONENT dev)
   endif()

@@ -9,7 +9,6 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/data_folder.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/journal_trajectory.hpp"
@@ -20,7 +19,7 @@ namespace lubjoint::cli {
 namespace {
 
 struct GoldenOptions {
-  std::string out = reports::data_folder() / "golden";
+  std::string out = golden_folder();
   bool check = false;
   bool trajectories = false;
   bool fresh = false;
@@ -60,7 +59,7 @@ void require_whole(const std::filesystem::path& file, std::size_t rows) {
 /// Trajectories: one file a law, each written when it is done, so that an interrupted run goes on where it was.
 int run_trajectories(const GoldenOptions& options) {
   namespace fs = std::filesystem;
-  const Scene scene = load_scene(reports::data_folder() / "scenes" / "journal.toml");
+  const Scene scene = load_scene(fs::path(scenes_folder()) / "journal.toml");
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
   const Vector2<double>& load = scene.loads.front().force;

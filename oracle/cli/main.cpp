@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "lubjoint/scene/nearest_name.hpp"
-#include "lubjoint/version.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/files.hpp"
 
