@@ -28,10 +28,11 @@ for program in force_law c_by_cmake c_by_pkg_config; do
   cat "$place/out"
   grep -q "^lubjoint $version, " "$place/out" || fail "$program is of another version than $version"
 done
+"$place/build/array_forces" || fail "array_forces: rows are not those of one state"
 "$place/build/scene_file" "$place/usr/share/lubjoint/scenes/journal.toml" || fail "the scene was not run"
 
 # No GPL library (GSL, GiNaC), and nothing else that the README does not name, is behind lib and what Python loads.
-for file in "$place/build/force_law" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so" \
+for file in "$place/build/force_law" "$place/build/array_forces" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so" \
   "$build/oracle/verify/liblubjoint_verify_c.so"; do
   [ -f "$file" ] || fail "$file is not there"
   needed=$(objdump -p "$file" | sed -n 's/^ *NEEDED *//p' |
