@@ -2,8 +2,8 @@
 ///
 /// A law gives F/S, the force on the journal over the force scale, as a function of the film state alone. It is
 /// homogeneous of degree one in u and turns with (ê, u). Two ways to write one:
-///   vector law:  `template <class T> static Vector2<T> force_ratio(const FilmState<T>&);`
-///   polar law:   `template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);`
+/// - vector law: `template <class T> static Vector2<T> force_ratio(const FilmState<T>&);`
+/// - polar law: `template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);`
 /// A vector law needs no direction of e and stays smooth at e = 0. The half films depend on that direction and on the
 /// sign of a; they are polar laws. Neither ever sees u = 0, or in the plane max |u_i| outside of 1e-60 … 1e60: the
 /// functions below take care of that.
