@@ -4,6 +4,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
+include(GNUInstallDirs)
+
 # Warnings of our own code, and no contraction: golden data and tests compare bits.
 add_library(lubjoint_build_flags INTERFACE)
 target_compile_options(lubjoint_build_flags INTERFACE
@@ -15,5 +17,12 @@ target_compile_options(lubjoint_build_flags INTERFACE
 function(lubjoint_library name)
   add_library(lubjoint_${name} STATIC ${ARGN})
   add_library(lubjoint::${name} ALIAS lubjoint_${name})
-  target_link_libraries(lubjoint_${name} PRIVATE lubjoint_build_flags)
+  target_link_libraries(lubjoint_${name} PRIVATE $<BUILD_INTERFACE:lubjoint_build_flags>)
+endfunction()
+
+# Odeint 1.74 copies steppers whose work arrays are not yet filled, and GCC sees it in these sources.
+function(lubjoint_copies_steppers)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -Wno-maybe-uninitialized -Wno-uninitialized)
+  endif()
 endfunction()

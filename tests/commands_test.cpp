@@ -264,7 +264,7 @@ TEST_CASE("reproduce: all eight laws agree, and the files that it names are ther
       CHECK(std::filesystem::file_size(folder / (std::string("out/") + plot + extension)) > 1000);
     }
   }
-  for (const std::string& name : folder.entries()) CHECK(name.find(".part-") == std::string::npos);
+  for (const std::string& name : folder.entries()) CHECK(name.find(".unfinished-") == std::string::npos);
 }
 
 TEST_CASE("simulate: every scene that ships runs to its end") {

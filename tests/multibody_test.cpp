@@ -166,7 +166,7 @@ TEST_CASE("pendulum chain: energy is kept to the tolerance, for every integrator
 
 TEST_CASE("the cost of a chain's equations grows with its length, not with a power of it") {
   // Counted, not timed: the envelope of a chain's Schur complement has a constant width.
-  for (const std::size_t n : {10, 100}) {
+  for (const std::size_t n : {10u, 100u}) {
     const auto system = planar_system<double>(pendulum_chain(n, 0.3));
     auto w = system.workspace<double>();
     const auto y = scene_start<double>(pendulum_chain(n, 0.3));

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "array_rows.hpp"
+#include "lubjoint/version.hpp"
 
 namespace {
 thread_local std::array<char, 512> message{};

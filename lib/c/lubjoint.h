@@ -25,13 +25,13 @@ extern "C" {
 
 /* An array that is read: element i is at (const char*)data + i*stride. Any stride goes, also 0: one number for all. */
 typedef struct lubjoint_in {
-  const double* data;
-  ptrdiff_t stride; /* in bytes */
+  const double* data; /* element 0 */
+  ptrdiff_t stride;   /* in bytes */
 } lubjoint_in;
 
 /* An array that is written. */
 typedef struct lubjoint_out {
-  double* data;
+  double* data;     /* element 0 */
   ptrdiff_t stride; /* in bytes */
 } lubjoint_out;
 
@@ -45,15 +45,18 @@ typedef struct lubjoint_bearing {
 
 /* Motion of journals in their bearings, in one inertial frame. */
 typedef struct lubjoint_motion {
-  lubjoint_in ex, ey;        /* journal's centre minus bearing's [m] */
-  lubjoint_in vx, vy;        /* its inertial rate [m/s] */
-  lubjoint_in omega_bearing; /* absolute spins [rad/s] */
-  lubjoint_in omega_journal;
+  lubjoint_in ex;            /* journal's centre minus bearing's, x [m] */
+  lubjoint_in ey;            /* y */
+  lubjoint_in vx;            /* its inertial rate, x [m/s] */
+  lubjoint_in vy;            /* y */
+  lubjoint_in omega_bearing; /* absolute spin [rad/s] */
+  lubjoint_in omega_journal; /* absolute spin [rad/s] */
 } lubjoint_motion;
 
 /* Dry contact and the transition to it: 0 < e0 < e1. */
 typedef struct lubjoint_contact {
-  double e0, e1;       /* blend and widening of the film's clearance [m] */
+  double e0;           /* width of the blend [m] */
+  double e1;           /* widening of the film's clearance [m] */
   double stiffness;    /* [N/m^1.5] */
   double restitution;  /* from 0 to 1 */
   double impact_speed; /* at which the journal last crossed e = c outwards [m/s], above 0 */

@@ -5,6 +5,7 @@ LUBJOINT_BUILT names a folder in which CMake has built them already.
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sysconfig
@@ -15,7 +16,10 @@ from setuptools.build_meta import build_sdist, get_requires_for_build_sdist, pre
 
 _source = pathlib.Path(__file__).resolve().parents[2]
 _package = pathlib.Path(__file__).resolve().parent / "lubjoint"
-_targets = ["lubjoint_c", "lubjoint_verify_c"]
+_header = (_source / "lib/include/lubjoint/version.hpp").read_text()
+_number = r"^#define LUBJOINT_VERSION_{} (\d+)$"
+version = ".".join(re.search(_number.format(part), _header, re.MULTILINE)[1] for part in ("MAJOR", "MINOR", "PATCH"))
+_targets = {"lubjoint_c": "lib", "lubjoint_verify_c": "oracle/verify"}  # and where CMake leaves them
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -36,12 +40,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             _build(folder)
         copies = []
         try:
-            for target in _targets:
-                found = list(pathlib.Path(folder).rglob(f"lib{target}.so"))
-                if len(found) != 1:
-                    raise FileNotFoundError(f"{len(found)} files lib{target}.so below {folder}; required is one")
-                copies.append(_package / found[0].name)
-                shutil.copy(found[0], copies[-1])
+            for target, place in _targets.items():
+                library = pathlib.Path(folder) / place / f"lib{target}.so"
+                copies.append(_package / library.name)
+                shutil.copy(library, copies[-1])
             platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
             settings = {"--build-option": [f"--plat-name={platform}"]}  # shared libraries run on one platform only
             return build_meta.build_wheel(wheel_directory, settings, metadata_directory)

@@ -102,7 +102,7 @@ GoldenTable film_force_table() {
     const LawEntry& law = laws[number / states.size()];
     const std::size_t which = number % states.size();
     const PolarState& state = states[which];
-    const auto& [viscosity, length, radius, clearance] = bearings[which % bearings.size()];
+    const BearingValues& bearing = bearings[which % bearings.size()];
     const FilmBalls film = in_balls(state);
     if (law.has_pressure) {
       const std::string where = std::string(law.name) + " at ε " + reports::number(state.epsilon) + ", a " +
@@ -112,12 +112,12 @@ GoldenTable film_force_table() {
                       [&] { return as_vector(force_ratio_by_quadrature(law.law, film)); }, where);
     }
     const auto force = certify([&] {
-      const Ball scale = force_scale(law, viscosity, length, radius, Ball(clearance));
+      const Ball scale = force_scale(law, bearing.viscosity, bearing.length, bearing.radius, Ball(bearing.clearance));
       const PolarBalls ratio = force_ratio(law.law, film);
       return std::vector<Ball>{scale * ratio.radial, scale * ratio.tangential};
     });
     RowText text;
-    text.add(law.name).add(viscosity).add(length).add(radius).add(clearance);
+    text.add(law.name).add(bearing.viscosity).add(bearing.length).add(bearing.radius).add(bearing.clearance);
     return text.add(state.epsilon).add(state.a).add(state.b).add(force).take();
   };
   return {"film_force.csv",
@@ -139,13 +139,13 @@ GoldenTable film_extent_table() {
   constexpr std::array<std::pair<Extent, std::string_view>, 3> extents = {
       {{Extent::full, "full"}, {Extent::half, "half"}, {Extent::dynamic, "dynamic"}}};
   const auto row = [states, extents](std::size_t number) {
-    const auto& [extent, name] = extents[number / states.size()];
+    const auto& entry = extents[number / states.size()];
     const PolarState& state = states[number % states.size()];
     const auto bounds = certify([&] {
-      const ExtentBalls balls = film_extent(extent, in_balls(state));
+      const ExtentBalls balls = film_extent(entry.first, in_balls(state));
       return std::vector<Ball>{balls.start, balls.end};
     });
-    return RowText().add(name).add(state.a).add(state.b).add(bounds).take();
+    return RowText().add(entry.second).add(state.a).add(state.b).add(bounds).take();
   };
   return {"film_extent.csv", golden_header("extent,slip_rate,squeeze_rate", {"theta_s", "theta_e"}),
           extents.size() * states.size(), row};

@@ -10,6 +10,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "lubjoint/version.hpp"
+#include "oracle/reports/data_folder.hpp"
+
 namespace lubjoint::cli {
 
 /// Set by the command that the user named; returns the exit status.
@@ -28,6 +31,11 @@ void add_sweep(CLI::App& app, Action& action);
 void add_golden(CLI::App& app, Action& action);  // where the enclosures are built
 void add_verify(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);  // where the proofs are built
+
+/// Folder of the scenes that ship with the program.
+inline std::string scenes_folder() { return reports::data_folder() / "scenes"; }
+/// Folder of the golden data that ship with it.
+inline std::string golden_folder() { return reports::data_folder() / "golden"; }
 
 /// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed
 inline void require_option(const std::string& name, double given, bool allowed, const std::string& words) {

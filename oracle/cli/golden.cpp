@@ -1,5 +1,6 @@
 #include "oracle/certified/golden.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,7 +19,7 @@ namespace lubjoint::cli {
 namespace {
 
 struct GoldenOptions {
-  std::string out = LUBJOINT_GOLDEN;
+  std::string out = golden_folder();
   bool check = false;
   bool trajectories = false;
   bool fresh = false;
@@ -45,10 +46,20 @@ int run_golden(const GoldenOptions& options) {
   return differences.empty() ? 0 : 1;
 }
 
+/// Accepts a trajectory that an earlier run has left, if it is whole.
+void require_whole(const std::filesystem::path& file, std::size_t rows) {
+  const std::string text = reports::read_input(file.string());
+  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  if (text.ends_with('\n') && lines == rows + 1) return;
+  throw std::invalid_argument("\"" + file.string() + "\" is cut off: " + std::to_string(lines) +
+                              " whole lines instead of " + std::to_string(rows + 1) +
+                              "; allowed is to delete it, or --fresh");
+}
+
 /// Trajectories: one file a law, each written when it is done, so that an interrupted run goes on where it was.
 int run_trajectories(const GoldenOptions& options) {
   namespace fs = std::filesystem;
-  const Scene scene = load_scene(fs::path(LUBJOINT_SCENES) / "journal.toml");
+  const Scene scene = load_scene(fs::path(scenes_folder()) / "journal.toml");
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
   const Vector2<double>& load = scene.loads.front().force;
@@ -68,6 +79,7 @@ int run_trajectories(const GoldenOptions& options) {
   for (const std::string_view law : film_law_names) {
     const fs::path file = folder / ("journal-" + std::string(law) + ".csv");
     if (!options.check && fs::exists(file) && !options.fresh) {
+      require_whole(file, journal.times.size());
       std::cerr << file.string() << " is there already (--fresh makes it anew)\n";
       continue;
     }

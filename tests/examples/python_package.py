@@ -1,5 +1,6 @@
 """The Python package, used as a user would; run by tests/python_package.sh in a fresh environment."""
 
+import importlib.metadata
 import statistics
 import sys
 import time
@@ -24,6 +25,8 @@ def short_full(viscosity, length, radius, clearance, eccentricity_ratio, squeeze
     radial = -scale * numpy.pi * squeeze_rate * (1 + 2 * eccentricity_ratio**2) / q**2.5
     return radial, scale * numpy.pi * a / (2 * q**1.5)
 
+
+assert lubjoint.__version__ == importlib.metadata.version("lubjoint")  # of the library, of the package
 
 # Verification: scalar and vectorized functions, right and wrong, the law found.
 assert lubjoint.verify(force(False), law="pinkus_sternlicht", vectorized=False)

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,9 @@ struct ProgramSetting {
   std::string folder = {};                              ///< where it runs; empty: here
   std::string output = {};                              ///< file that standard output goes to, in place of `out`
   double seconds = 60;                                  ///< then it is killed: no command under test takes a tenth
+  std::function<void()> before = {};                    ///< done in the new process before the program starts
+  int signal = 0;                                       ///< sent to it after `signal_after`, unless it has ended
+  double signal_after = 0;                              ///< [s]
 };
 
 namespace detail {
@@ -62,13 +66,22 @@ inline ProgramResult run(const std::string& program, const std::vector<std::stri
     detail::redirect(out, O_WRONLY | O_CREAT, STDOUT_FILENO);
     detail::redirect(err, O_WRONLY, STDERR_FILENO);
     if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(127);
+    if (setting.before) setting.before();
     ::execv(program.c_str(), argv.data());
     ::_exit(127);
   }
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(setting.seconds);
+  const auto start = std::chrono::steady_clock::now();
+  const auto passed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  bool signalled = setting.signal == 0;
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() > deadline) {
+    if (!signalled && passed() > setting.signal_after) {
+      ::kill(child, setting.signal);
+      signalled = true;
+    }
+    if (passed() > setting.seconds) {
       ::kill(child, SIGKILL);
       ::waitpid(child, &status, 0);
       throw std::runtime_error(program + " did not end within " + std::to_string(setting.seconds) + " s");

@@ -12,15 +12,17 @@ namespace lubjoint {
 template <class R, int N>
 class ComplexShiftSolver {
  public:
-  using Vector = Eigen::Matrix<R, N, 1>;
-  using Matrix = Eigen::Matrix<R, N, N>;
+  using Vector = Eigen::Matrix<R, N, 1>;  ///< a right-hand side
+  using Matrix = Eigen::Matrix<R, N, N>;  ///< J
 
+  /// Takes the memory for n states.
   explicit ComplexShiftSolver(Eigen::Index n)
       : system_(System::Identity(built_in ? n : 2 * n, built_in ? n : 2 * n)),
         lu_(system_),
         right_(Eigen::Matrix<Number, size, 1>::Zero(system_.rows())),
         x_(right_) {}
 
+  /// Factorises (α + iβ) I − J.
   void factorise(const Matrix& jacobian, const R& alpha, const R& beta) {
     const auto n = jacobian.rows();
     if constexpr (std::is_floating_point_v<R>) {

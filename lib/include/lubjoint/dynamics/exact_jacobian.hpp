@@ -28,8 +28,8 @@ void exact_jacobian(const F& f, const std::array<R, N>& x,
 template <int Group, class R>
 class RunTimeJacobian {
  public:
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, Group, 1>>;
-  using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, Group, 1>>;   ///< a number with the derivatives of a group
+  using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;  ///< the Jacobian
 
   /// ∂f_i/∂x_j of f(x, dxdt); columns from `columns` on are zero.
   template <class F>

@@ -16,8 +16,10 @@ template <class R, std::size_t N>
 class ComponentErrorChecker {
  public:
   ComponentErrorChecker() = default;
+  /// Checks against these tolerances.
   explicit ComponentErrorChecker(const StepTolerance<R, N>& tolerance) : tolerance_(tolerance) {}
 
+  /// What Odeint asks for: above 1, the step is rejected.
   template <class Algebra, class State, class Rate, class Error, class Time>
   R error(Algebra&, const State& y, const Rate&, Error& y_error, Time) const {
     using std::abs;
@@ -38,9 +40,10 @@ class ComponentErrorChecker {
 template <class R, std::size_t N, template <class...> class ErrorStepper>
 class ExplicitIntegrator final : public Integrator<R, N> {
  public:
-  using System = OdeSystem<R, N>;
-  using State = StateOf<R, N>;
+  using System = OdeSystem<R, N>;  ///< what it integrates
+  using State = StateOf<R, N>;     ///< of the system
 
+  /// A stepper without memory.
   explicit ExplicitIntegrator(const StepTolerance<R, N>& tolerance)
       : tolerance_(tolerance), stepper_(Checker(tolerance)) {}
 
@@ -78,8 +81,10 @@ class ExplicitIntegrator final : public Integrator<R, N> {
   StepperCounts counts_;
 };
 
+/// Odeint's stepper, without its template parameters' defaults.
 template <class... Types>
 using OdeintDopri5 = boost::numeric::odeint::runge_kutta_dopri5<Types...>;
+/// Odeint's stepper, likewise.
 template <class... Types>
 using OdeintFehlberg78 = boost::numeric::odeint::runge_kutta_fehlberg78<Types...>;
 

@@ -19,19 +19,23 @@ namespace lubjoint {
 template <FilmLaw Law>
 class SmoothMode {
  public:
-  static constexpr std::size_t dimension = 4;
-  static constexpr std::size_t margin_count = 0;
+  static constexpr std::size_t dimension = 4;     ///< number of states
+  static constexpr std::size_t margin_count = 0;  ///< it never ends
 
+  /// The journal as it is.
   explicit SmoothMode(const FreeJournal<Law>& journal) : journal_(journal) {}
 
+  /// Right-hand side.
   template <class T>
   void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
     journal_.rate(y, dydt);
   }
-  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }
+  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }  ///< time does not enter
+  /// ê and w.
   JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
+  /// On the journal [N].
   Vector2<double> force(double, const std::array<double, 4>& y) const { return journal_.force(y); }
-  std::array<double, 0> margins(double, const std::array<double, 4>&) const { return {}; }
+  std::array<double, 0> margins(double, const std::array<double, 4>&) const { return {}; }  ///< none
 
  private:
   const FreeJournal<Law>& journal_;
@@ -41,17 +45,21 @@ class SmoothMode {
 template <PolarLaw Law>
 class SidedMode {
  public:
-  static constexpr std::size_t dimension = 4;
-  static constexpr std::size_t margin_count = 1;
+  static constexpr std::size_t dimension = 4;     ///< number of states
+  static constexpr std::size_t margin_count = 1;  ///< sign of a
 
+  /// The journal, its film on the given side.
   SidedMode(const FreeJournal<Law>& journal, HalfFilmSide side) : journal_(journal), side_(side) {}
 
+  /// Right-hand side.
   template <class T>
   void rate(const std::array<T, 4>& y, std::array<T, 4>& dydt, double) const {
     journal_.rate(y, dydt, side_);
   }
-  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }
+  void time_slope(double, std::array<double, 4>& slope) const { slope.fill(0); }  ///< time does not enter
+  /// ê and w.
   JournalState<double> journal(double, const std::array<double, 4>& y) const { return y; }
+  /// On the journal [N].
   Vector2<double> force(double, const std::array<double, 4>& y) const {
     return journal_.joint().force(journal_.film(y), side_);
   }
@@ -75,12 +83,15 @@ class SidedMode {
 template <PolarLaw Law>
 class SlidingMode {
  public:
-  static constexpr std::size_t dimension = 2;
-  static constexpr std::size_t margin_count = 2;
+  static constexpr std::size_t dimension = 2;     ///< number of states
+  static constexpr std::size_t margin_count = 2;  ///< X − Φ and X + Φ
 
+  /// @param t_start  t₀
+  /// @param line  n(t₀), a unit vector
   SlidingMode(const FreeJournal<Law>& journal, double t_start, const Vector2<double>& line)
       : journal_(journal), t_start_(t_start), line_(line) {}
 
+  /// Right-hand side.
   template <class T>
   void rate(const std::array<T, 2>& y, std::array<T, 2>& dydt, double t) const {
     const double spin = journal_.drive().mean_spin();
@@ -96,12 +107,14 @@ class SlidingMode {
     slope = {0, drive.mean_spin() * dot(drive.load, perpendicular(line_at(t))) / journal_.inertia()};
   }
 
+  /// ê and w.
   JournalState<double> journal(double t, const std::array<double, 2>& y) const {
     const Vector2<double> n = line_at(t);
     const double across = journal_.drive().mean_spin() * y[0];
     return {y[0] * n.x(), y[0] * n.y(), y[1] * n.x() - across * n.y(), y[1] * n.y() + across * n.x()};
   }
 
+  /// On the journal [N].
   Vector2<double> force(double t, const std::array<double, 2>& y) const {
     const Vector2<double> n = line_at(t);
     return Vector2<double>(radial_force(y) * n + tangential_force(t, y) * perpendicular(n));
@@ -125,6 +138,7 @@ class SlidingMode {
     return {reach - needed, reach + needed};
   }
 
+  /// n(t).
   Vector2<double> line_at(double t) const {
     const double angle = journal_.drive().mean_spin() * (t - t_start_);
     const double c = std::cos(angle);

@@ -17,6 +17,7 @@ inline constexpr std::size_t run_time_size = 0;
 template <class R, std::size_t N>
 using StateOf = std::conditional_t<N == run_time_size, std::vector<R>, std::array<R, N>>;
 
+/// Its Jacobian: of fixed size, or as large as there are states.
 template <class R, std::size_t N>
 using JacobianOf = Eigen::Matrix<R, N == run_time_size ? Eigen::Dynamic : static_cast<int>(N),
                                  N == run_time_size ? Eigen::Dynamic : static_cast<int>(N)>;
@@ -25,29 +26,29 @@ using JacobianOf = Eigen::Matrix<R, N == run_time_size ? Eigen::Dynamic : static
 template <class R, std::size_t N>
 class OdeSystem {
  public:
-  using State = StateOf<R, N>;
-  using Jacobian = JacobianOf<R, N>;
+  using State = StateOf<R, N>;        ///< y
+  using Jacobian = JacobianOf<R, N>;  ///< ∂f/∂y
 
   virtual ~OdeSystem() = default;
-  virtual void rate(const State& y, State& dydt, const R& t) = 0;
+  virtual void rate(const State& y, State& dydt, const R& t) = 0;         ///< f
   virtual void jacobian(const State& y, Jacobian& j, const R& t) = 0;     ///< ∂f/∂y
   virtual void time_slope(const State& y, State& slope, const R& t) = 0;  ///< ∂f/∂t
 };
 
 /// What a run of an integrator has cost beyond evaluations of f.
 struct StepperCounts {
-  std::size_t accepted = 0;
-  std::size_t rejected = 0;
-  std::size_t jacobians = 0;
-  std::size_t factorisations = 0;
-  std::size_t newton_iterations = 0;
+  std::size_t accepted = 0;           ///< steps
+  std::size_t rejected = 0;           ///< trial steps that were given up
+  std::size_t jacobians = 0;          ///< evaluations
+  std::size_t factorisations = 0;     ///< of a real and a complex matrix each
+  std::size_t newton_iterations = 0;  ///< of all steps
 };
 
 /// The error allowed in one step: of state i at most absolute[i] + relative |y_i|.
 template <class R, std::size_t N>
 struct StepTolerance {
-  R relative;
-  StateOf<R, N> absolute;
+  R relative;              ///< of the state
+  StateOf<R, N> absolute;  ///< one for each state, in its own unit
   /// What an integrator that scales its own work by a tolerance (Radau's τ) takes for it.
   R nominal;
 };
@@ -56,8 +57,8 @@ struct StepTolerance {
 template <class R, std::size_t N>
 class Integrator {
  public:
-  using System = OdeSystem<R, N>;
-  using State = StateOf<R, N>;
+  using System = OdeSystem<R, N>;  ///< what it integrates
+  using State = StateOf<R, N>;     ///< of the system
 
   virtual ~Integrator() = default;
 
@@ -77,6 +78,7 @@ class Integrator {
   /// Into how many pieces a step is worth dividing when something is looked for inside it.
   virtual std::size_t looks_inside() const = 0;
 
+  /// What its steps have cost so far.
   virtual StepperCounts counts() const { return {}; }
 };
 

@@ -12,25 +12,28 @@
 
 namespace lubjoint {
 
+/// A journal at an instant.
 struct JournalSample {
   double t;                    ///< [s]
   JournalState<double> state;  ///< ê, w
   Vector2<double> force;       ///< on the journal [N]
 
-  double eccentricity_ratio() const { return std::hypot(state[0], state[1]); }
+  double eccentricity_ratio() const { return std::hypot(state[0], state[1]); }  ///< ε
 };
 
 /// An interval that was spent sliding on a = 0.
 struct SlidingInterval {
-  double start;
-  double end;
+  double start;  ///< [s]
+  double end;    ///< [s]
 };
 
 /// Samples every output interval, and the largest ε and |F|, refined inside the step that has them.
 class JournalRecorder {
  public:
+  /// Nothing is recorded yet.
   explicit JournalRecorder(const RunSettings& settings) : settings_(settings) {}
 
+  /// The first sample.
   template <class Mode, class State>
   void start(const Mode& mode, double t, const State& y) {
     add(mode, t, y);
@@ -38,6 +41,7 @@ class JournalRecorder {
     consider(mode, t, y);
   }
 
+  /// An accepted step: the samples in it, and its extremes.
   /// @param looks  into so many pieces the step is divided in the search for its extremes
   template <class Mode, class StateAt>
   void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, std::size_t looks) {
@@ -71,17 +75,19 @@ class JournalRecorder {
     }
   }
 
+  /// The last sample.
   template <class Mode, class State>
   void finish(const Mode& mode, double t, const State& y) {
     if (samples_.empty() || samples_.back().t < t) add(mode, t, y);
   }
 
+  /// An interval of sliding.
   void slid(double start, double end) { sliding_.push_back({start, end}); }
 
-  const std::vector<JournalSample>& samples() const { return samples_; }
-  const std::vector<SlidingInterval>& sliding() const { return sliding_; }
-  double max_eccentricity_ratio() const { return std::sqrt(max_squared_ratio_); }
-  double max_force() const { return max_force_; }
+  const std::vector<JournalSample>& samples() const { return samples_; }           ///< in order
+  const std::vector<SlidingInterval>& sliding() const { return sliding_; }         ///< in order
+  double max_eccentricity_ratio() const { return std::sqrt(max_squared_ratio_); }  ///< largest ε
+  double max_force() const { return max_force_; }                                  ///< largest |F| [N]
 
  private:
   static constexpr std::size_t max_pieces = 4;

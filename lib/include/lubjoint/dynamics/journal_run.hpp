@@ -70,7 +70,7 @@ class JournalRun {
     return outcome_;
   }
 
-  const JournalRecorder& recorder() const { return recorder_; }
+  const JournalRecorder& recorder() const { return recorder_; }  ///< what the run has left
 
  private:
   enum class Phase { converging, mirrored, sliding };

@@ -22,9 +22,10 @@ namespace lubjoint {
 template <class Mode>
 class ModeSystem final : public OdeSystem<double, Mode::dimension> {
  public:
-  using Base = OdeSystem<double, Mode::dimension>;
-  using State = typename Base::State;
+  using Base = OdeSystem<double, Mode::dimension>;  ///< what integrators see
+  using State = typename Base::State;               ///< of the mode
 
+  /// @param evaluations  counted up by every rate
   ModeSystem(const Mode& mode, std::size_t& evaluations) : mode_(mode), evaluations_(evaluations) {}
 
   void rate(const State& y, State& dydt, const double& t) override {
@@ -41,12 +42,18 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   std::size_t& evaluations_;
 };
 
-enum class ModeEnd { duration_reached, event, step_limit, step_too_short };
+/// How the integration of a mode ended.
+enum class ModeEnd {
+  duration_reached,  ///< the run is over
+  event,             ///< a margin was crossed
+  step_limit,        ///< RunSettings::max_steps
+  step_too_short     ///< no step, however short, succeeds
+};
 
 /// Why and where a mode ended.
 struct ModeResult {
-  ModeEnd end = ModeEnd::duration_reached;
-  std::size_t margin = 0;  ///< which margin an event crossed
+  ModeEnd end = ModeEnd::duration_reached;  ///< why
+  std::size_t margin = 0;                   ///< which margin an event crossed
 };
 
 /// Integrates a mode from (t, y) until the duration is reached, a margin is crossed, or no step can be made.
@@ -55,12 +62,14 @@ struct ModeResult {
 template <class Mode>
 class ModeRun {
  public:
-  using State = std::array<double, Mode::dimension>;
-  using Method = Integrator<double, Mode::dimension>;
+  using State = std::array<double, Mode::dimension>;   ///< of the mode
+  using Method = Integrator<double, Mode::dimension>;  ///< that makes the steps
 
+  /// All four are kept by reference; steps and evaluations are counted in the outcome.
   ModeRun(const Mode& mode, Method& method, const RunSettings& settings, RunOutcome& outcome)
       : mode_(mode), method_(method), settings_(settings), outcome_(outcome), system_(mode, outcome.rhs_evaluations) {}
 
+  /// Integrates from (t, y); dt is the first step's length, then the next one's.
   template <class Observer>
   ModeResult run(double& t, State& y, double& dt, Observer&& observe) {
     const double t_end = settings_.duration;

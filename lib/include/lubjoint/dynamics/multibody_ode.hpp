@@ -13,19 +13,21 @@ namespace lubjoint {
 /// Kinetic energy, and potential energy of the weights [J].
 template <class R>
 struct MechanicalEnergy {
-  R kinetic;
-  R potential;
+  R kinetic;    ///< of all bodies
+  R potential;  ///< of all weights
 };
 
 /// y = (q, q̇) and, with a ledger, the work of each term;  ẏ = (q̇, q̈, powers).
 template <class R>
 class MultibodyOde final : public OdeSystem<R, run_time_size> {
  public:
-  using State = std::vector<R>;
-  using Jacobian = JacobianOf<R, run_time_size>;
-  static constexpr int jacobian_group = 6;  ///< columns of the Jacobian a pass: those of a body
+  using State = std::vector<R>;                   ///< y
+  using Jacobian = JacobianOf<R, run_time_size>;  ///< ∂ẏ/∂y
+  static constexpr int jacobian_group = 6;        ///< columns of the Jacobian a pass: those of a body
+  /// A number with the derivatives of one pass.
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, jacobian_group, 1>>;
 
+  /// @param with_ledger  integrate the work of each term, too
   MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
       : system_(system),
         with_ledger_(with_ledger),
@@ -35,24 +37,28 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
     if (has_contact_) memory_.resize(system.joints().size());
   }
 
-  const PlanarSystem<R>& system() const { return system_; }
-  bool with_ledger() const { return with_ledger_; }
-  bool has_contact() const { return has_contact_; }
-  std::size_t mechanical_states() const { return 2 * system_.coordinates(); }
+  const PlanarSystem<R>& system() const { return system_; }                    ///< whose equations these are
+  bool with_ledger() const { return with_ledger_; }                            ///< is the work integrated?
+  bool has_contact() const { return has_contact_; }                            ///< may any joint touch?
+  std::size_t mechanical_states() const { return 2 * system_.coordinates(); }  ///< of (q, q̇)
+  /// Number of states.
   std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? ledger_terms : 0); }
-  std::size_t evaluations() const { return evaluations_; }
+  std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
 
   /// Memories of the joints; empty where nothing can touch.
   std::vector<JointMemory<R>>& memory() { return memory_; }
-  const std::vector<JointMemory<R>>& memory() const { return memory_; }
+  const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
 
+  /// ẏ; counted.
   void rate(const State& y, State& dydt, const R& t) override {
     ++evaluations_;
     fill(t, y, dydt, real_);
   }
+  /// ∂ẏ/∂y, exact.
   void jacobian(const State& y, Jacobian& j, const R& t) override {
     derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
   }
+  /// ∂ẏ/∂t, exact.
   void time_slope(const State& y, State& slope, const R& t) override {
     derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t,
                                  slope);
@@ -60,13 +66,15 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
 
   /// Everything at a state: joints, multipliers, rows. With the memory given, else the current one.
   const SystemWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }
+  /// The same, with another memory.
   const SystemWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
     system_.evaluate(t, y.data(), memory, real_);
     return real_;
   }
 
-  SystemWorkspace<R>& workspace() { return real_; }
+  SystemWorkspace<R>& workspace() { return real_; }  ///< of the last evaluation
 
+  /// ½q̇ᵀMq̇, and the potential energy −Σ m g·r.
   MechanicalEnergy<R> energy(const State& y) const {
     MechanicalEnergy<R> sum{R(0), R(0)};
     const std::size_t n = system_.coordinates();

@@ -84,9 +84,11 @@ class PeakTracker {
 
 }  // namespace detail
 
+/// Samples at regular times, peaks inside the steps, drift and energy of a multibody run.
 template <class R>
 class MultibodyRecorder {
  public:
+  /// @param pieces  into so many a step is divided in the search for its extremes
   MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces)
       : ode_(ode), settings_(settings), pieces_(pieces), trackers_(2 * ode.system().joints().size()) {
     for (std::size_t c = 0; c < ode.system().constraints().size(); ++c) {
@@ -96,6 +98,7 @@ class MultibodyRecorder {
     values_.resize(trackers_.size());
   }
 
+  /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
     next_ = 1;
@@ -103,6 +106,7 @@ class MultibodyRecorder {
     start_energy_ = energy.kinetic + energy.potential;
   }
 
+  /// An accepted step: the samples in it, and its extremes.
   /// @param by_method  by_method(step, t, y) puts the state inside a step into y by the integrator itself
   template <class ByMethod>
   void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
@@ -131,6 +135,7 @@ class MultibodyRecorder {
     }
   }
 
+  /// The last sample, and the peaks refined.
   template <class ByMethod>
   void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
     if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
@@ -148,12 +153,14 @@ class MultibodyRecorder {
     }
   }
 
-  const std::vector<MultibodySample>& samples() const { return samples_; }
-  const ConstraintDrift& drift() const { return drift_; }
-  double energy_residual() const { return energy_residual_; }
-  double energy_scale() const { return energy_scale_; }
+  const std::vector<MultibodySample>& samples() const { return samples_; }  ///< in order
+  const ConstraintDrift& drift() const { return drift_; }                   ///< largest so far
+  double energy_residual() const { return energy_residual_; }               ///< largest |E − E₀ − work| [J]
+  double energy_scale() const { return energy_scale_; }                     ///< largest kinetic energy or work [J]
 
+  /// Of the joints, in order; after finish.
   const std::vector<JointExtremes>& joint_extremes() const { return joint_extremes_; }
+  /// Of the drivers, in order; after finish.
   const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
 
  private:

@@ -18,7 +18,8 @@ enum class LedgerTerm {
   contact,     ///< of dry contact and friction
   constraints  ///< of the other constraints: zero but for their drift
 };
-inline constexpr std::size_t ledger_terms = 5;
+inline constexpr std::size_t ledger_terms = 5;  ///< number of them
+/// Their names, in order.
 inline constexpr std::array<const char*, ledger_terms> ledger_names = {"loads", "drivers", "film", "contact",
                                                                        "constraints"};
 
@@ -30,8 +31,9 @@ struct JointSample {
   double film_thickness;         ///< c − |e|; negative in contact [m]
 };
 
+/// A system at an instant.
 struct MultibodySample {
-  double t;
+  double t;                             ///< [s]
   std::vector<double> state;            ///< q, q̇ of all bodies
   std::vector<JointSample> joints;      ///< in the scene's order
   std::vector<double> driving_moments;  ///< on each driver's second body [N m]
@@ -40,18 +42,20 @@ struct MultibodySample {
 
 /// The largest value of a quantity along a run, from dense output and root finding.
 struct Peak {
-  double value;
-  double t;
+  double value;  ///< in the quantity's unit
+  double t;      ///< when [s]
 };
 
+/// Peaks of a joint.
 struct JointExtremes {
   Peak eccentricity{0, 0};  ///< |e| [m]
   Peak force{0, 0};         ///< |F| [N]
 };
 
+/// Peaks of a driver's moment on its second body [N m].
 struct DriverExtremes {
-  Peak max_moment{0, 0};
-  Peak min_moment{0, 0};
+  Peak max_moment{0, 0};  ///< largest
+  Peak min_moment{0, 0};  ///< smallest, of either sign
 };
 
 /// Largest violation of any constraint at the end of a step.
@@ -62,10 +66,10 @@ struct ConstraintDrift {
 
 /// An entry or an exit of contact.
 struct ContactEvent {
-  double t;
-  std::size_t joint;
-  ContactPhase from;
-  ContactPhase to;
+  double t;             ///< [s]
+  std::size_t joint;    ///< in the scene's order
+  ContactPhase from;    ///< that ends
+  ContactPhase to;      ///< that begins
   double normal_speed;  ///< v·r [m/s]
   double force_before;  ///< |F| on the journal, of the piece that ends [N]
   double force_jump;    ///< |ΔF| across the event [N]

@@ -24,9 +24,8 @@ enum class ConstraintUpkeep { by_accelerations, by_projection };
 template <class R>
 class MultibodyRun {
  public:
-  using State = std::vector<R>;
-
-  using Method = Integrator<R, run_time_size>;
+  using State = std::vector<R>;                 ///< (q, q̇, work)
+  using Method = Integrator<R, run_time_size>;  ///< that makes the steps
 
   /// @param method  with the tolerance of every state in its own unit
   MultibodyRun(MultibodyOde<R>& ode, const RunSettings& settings, std::unique_ptr<Method> method,
@@ -56,9 +55,9 @@ class MultibodyRun {
     return outcome_;
   }
 
-  const MultibodyRecorder<R>& recorder() const { return recorder_; }
-  const std::vector<ContactEvent>& events() const { return events_; }
-  const State& state() const { return y_; }
+  const MultibodyRecorder<R>& recorder() const { return recorder_; }   ///< what the run has left
+  const std::vector<ContactEvent>& events() const { return events_; }  ///< of contact, in order
+  const State& state() const { return y_; }                            ///< at the end
 
  private:
   using Step = MultibodyStep<R>;

@@ -9,6 +9,7 @@
 
 namespace lubjoint {
 
+/// A step of a multibody run.
 template <class R>
 struct MultibodyStep : StepInterpolant<std::vector<R>> {
   std::vector<JointMemory<R>> memory;  ///< of the joints during the step

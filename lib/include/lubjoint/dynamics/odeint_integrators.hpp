@@ -20,9 +20,10 @@ namespace lubjoint {
 template <std::size_t N, class Make>
 class ScaledIntegrator final : public Integrator<double, N> {
  public:
-  using System = OdeSystem<double, N>;
-  using State = StateOf<double, N>;
+  using System = OdeSystem<double, N>;  ///< what it integrates
+  using State = StateOf<double, N>;     ///< of the system
 
+  /// A stepper without memory.
   explicit ScaledIntegrator(const StepTolerance<double, N>& tolerance)
       : tolerance_(tolerance), scaled_(tolerance), z_(tolerance.absolute.size()) {
     reset();
@@ -65,20 +66,25 @@ class ScaledIntegrator final : public Integrator<double, N> {
   StepperCounts counts_;
 };
 
+/// Makes Odeint's extrapolation stepper.
 struct MakeBulirschStoer {
-  using Stepper = boost::numeric::odeint::bulirsch_stoer<std::vector<double>>;
-  static constexpr std::size_t looks_inside = 8;  // long steps of high order
+  using Stepper = boost::numeric::odeint::bulirsch_stoer<std::vector<double>>;  ///< Odeint's
+  static constexpr std::size_t looks_inside = 8;                                ///< long steps of high order
+  /// With one tolerance for all states.
   static std::unique_ptr<Stepper> made(double absolute, double relative) {
     return std::make_unique<Stepper>(absolute, relative, 1.0, 0.0);
   }
 };
 
+/// Makes Odeint's multistep stepper.
 struct MakeAdams {
   /// Predictor and corrector of up to so many steps: orders beyond 8 gain nothing in double precision.
   static constexpr std::size_t steps = 8;
+  /// Odeint's.
   using Stepper = boost::numeric::odeint::controlled_adams_bashforth_moulton<
       boost::numeric::odeint::adaptive_adams_bashforth_moulton<steps, std::vector<double>>>;
-  static constexpr std::size_t looks_inside = 2;
+  static constexpr std::size_t looks_inside = 2;  ///< short steps
+  /// With one tolerance for all states.
   static std::unique_ptr<Stepper> made(double absolute, double relative) {
     return std::make_unique<Stepper>(
         typename Stepper::step_adjuster_type(absolute, relative, std::numeric_limits<double>::max()));

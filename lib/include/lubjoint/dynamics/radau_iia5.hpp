@@ -30,17 +30,21 @@ namespace lubjoint {
 template <class R, std::size_t N>
 class RadauIIA5 {
  public:
+  /// What Odeint asks of a stepper.
+  /// @{
   using value_type = R;
   using state_type = StateOf<R, N>;
   using deriv_type = state_type;
   using time_type = R;
   using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
   using order_type = unsigned short;
+  /// @}
+  /// Of Eigen's matrices.
   static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);
-  using Vector = Eigen::Matrix<R, dimension, 1>;
-  using Matrix = Eigen::Matrix<R, dimension, dimension>;
+  using Vector = Eigen::Matrix<R, dimension, 1>;          ///< a state
+  using Matrix = Eigen::Matrix<R, dimension, dimension>;  ///< a Jacobian
 
-  static constexpr order_type order() { return 5; }
+  static constexpr order_type order() { return 5; }  ///< of the solution
 
   /// @param absolute_tolerance  one for each state, in the state's own unit
   RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance)
@@ -134,7 +138,7 @@ class RadauIIA5 {
   /// Forget the last step: to be called after the state was changed by hand.
   void reset() { started_ = false; }
 
-  const StepperCounts& counts() const { return counts_; }
+  const StepperCounts& counts() const { return counts_; }  ///< so far
 
  private:
   using Stages = std::array<Vector, 3>;

@@ -10,9 +10,10 @@ namespace lubjoint {
 template <class R, std::size_t N>
 class RadauIntegrator final : public Integrator<R, N> {
  public:
-  using System = OdeSystem<R, N>;
-  using State = StateOf<R, N>;
+  using System = OdeSystem<R, N>;  ///< what it integrates
+  using State = StateOf<R, N>;     ///< of the system
 
+  /// A stepper without memory.
   explicit RadauIntegrator(const StepTolerance<R, N>& tolerance)
       : tolerance_(tolerance), stepper_(tolerance.nominal, tolerance.absolute) {
     if (tolerance.relative == 0) stepper_.use_absolute_tolerance_only();

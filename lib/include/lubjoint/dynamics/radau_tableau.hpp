@@ -14,15 +14,15 @@ namespace lubjoint {
 /// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
 template <class R>
 struct RadauTableau {
-  using Matrix3 = Eigen::Matrix<R, 3, 3>;
-  using Vector3 = Eigen::Matrix<R, 3, 1>;
+  using Matrix3 = Eigen::Matrix<R, 3, 3>;  ///< of the stages
+  using Vector3 = Eigen::Matrix<R, 3, 1>;  ///< of the stages
 
-  Vector3 c;
-  R gamma;    ///< real eigenvalue of A⁻¹
-  R alpha;    ///< real part of the complex pair
-  R beta;     ///< its imaginary part, positive
-  Matrix3 t;  ///< T
-  Matrix3 t_inverse;
+  Vector3 c;              ///< abscissae, as shares of the step
+  R gamma;                ///< real eigenvalue of A⁻¹
+  R alpha;                ///< real part of the complex pair
+  R beta;                 ///< its imaginary part, positive
+  Matrix3 t;              ///< T
+  Matrix3 t_inverse;      ///< T⁻¹
   Vector3 error_weights;  ///< of the stage increments in the embedded formula of order 3
 
   RadauTableau() {
@@ -66,6 +66,7 @@ struct RadauTableau {
     error_weights << -(13 + 7 * root6) / 3, (-13 + 7 * root6) / 3, R(-1) / 3;
   }
 
+  /// Computed once for each scalar.
   static const RadauTableau& instance() {
     static const RadauTableau tableau;
     return tableau;

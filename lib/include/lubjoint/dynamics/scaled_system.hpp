@@ -10,18 +10,21 @@ namespace lubjoint {
 template <class R, std::size_t N>
 class ScaledSystem {
  public:
-  using System = OdeSystem<R, N>;
-  using State = StateOf<R, N>;
+  using System = OdeSystem<R, N>;  ///< in its own units
+  using State = StateOf<R, N>;     ///< of the system
 
+  /// Takes the scales from the tolerances.
   explicit ScaledSystem(const StepTolerance<R, N>& tolerance) : scale_(tolerance.absolute), y_(scale_), rate_(scale_) {
     for (R& s : scale_) s /= tolerance.nominal;
   }
 
+  /// z of a state.
   /// @tparam Scaled  the state type of z
   template <class Scaled>
   void scale(const State& y, Scaled& z) const {
     for (std::size_t i = 0; i < y.size(); ++i) z[i] = y[i] / scale_[i];
   }
+  /// The state of z.
   template <class Scaled>
   void unscale(const Scaled& z, State& y) const {
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = z[i] * scale_[i];
@@ -34,7 +37,7 @@ class ScaledSystem {
     system.rate(y_, rate_, t);
     scale(rate_, dzdt);
   }
-  const State& scales() const { return scale_; }
+  const State& scales() const { return scale_; }  ///< s
 
  private:
   State scale_;

@@ -16,9 +16,10 @@ namespace lubjoint {
 template <class S, int M>
 class SecondOrderSolver {
  public:
-  using Block = Eigen::Matrix<S, M, M>;
-  using Vector = Eigen::Matrix<S, M, 1>;
+  using Block = Eigen::Matrix<S, M, M>;   ///< A, B
+  using Vector = Eigen::Matrix<S, M, 1>;  ///< coordinates or velocities
 
+  /// Factorises λ² − λB − A.
   /// @param jacobian  of the whole system; @param m  number of coordinates
   template <class Matrix>
   void factorise(const Matrix& jacobian, Eigen::Index m, const S& shift) {
@@ -35,6 +36,7 @@ class SecondOrderSolver {
     }
   }
 
+  /// Solves for the coordinates, then the velocities.
   /// @param r  in its first 2m elements the right-hand side, replaced by x_q and x_v; w's rows are the caller's
   template <class Right>
   void solve_in_place(Right&& r, Eigen::Index m) {

@@ -11,11 +11,13 @@ namespace lubjoint {
 template <class R, int N>
 class ShiftedSolver {
  public:
-  using Vector = Eigen::Matrix<R, N, 1>;
-  using Matrix = Eigen::Matrix<R, N, N>;
+  using Vector = Eigen::Matrix<R, N, 1>;  ///< a right-hand side
+  using Matrix = Eigen::Matrix<R, N, N>;  ///< J
 
+  /// Takes the memory for n states.
   explicit ShiftedSolver(Eigen::Index n) : shifted_(Matrix::Identity(n, n)), real_(shifted_), complex_(n) {}
 
+  /// Factorises γI − J and (α + iβ) I − J.
   /// @param jacobian  kept by reference until the next call
   void factorise(const Matrix& jacobian, const R& gamma, const R& alpha, const R& beta) {
     gamma_ = gamma;

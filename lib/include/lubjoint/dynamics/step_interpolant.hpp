@@ -10,11 +10,15 @@ namespace lubjoint {
 /// the rest by the cubic (order 4). Any integrator's steps get the same interpolant.
 template <class State>
 struct StepInterpolant {
-  using R = typename State::value_type;
-  R t_old{};
-  R t_new{};
-  State y_old{}, y_new{}, rate_old{}, rate_new{};
+  using R = typename State::value_type;  ///< of the states
+  R t_old{};                             ///< start of the step [s]
+  R t_new{};                             ///< its end [s]
+  State y_old{};                         ///< state at its start
+  State y_new{};                         ///< state at its end
+  State rate_old{};                      ///< ẏ at its start
+  State rate_new{};                      ///< ẏ at its end
 
+  /// The state at a time inside the step.
   /// @param n  number of coordinates
   void state_at(const R& t, std::size_t n, State& y) const {
     const R h = t_new - t_old;

@@ -24,37 +24,42 @@ namespace lubjoint {
 
 /// Film states in an inertial frame: ê [-] and u [1/s], as in FilmState.
 struct FilmStateArrays {
-  std::span<const double> ex, ey;
-  std::span<const double> ux, uy;
+  std::span<const double> ex;  ///< ê, x
+  std::span<const double> ey;  ///< ê, y
+  std::span<const double> ux;  ///< u, x
+  std::span<const double> uy;  ///< u, y
 };
 
 /// Film states in polar components: ε [-], a and b [1/s], as in PolarFilmState.
 struct PolarStateArrays {
-  std::span<const double> eccentricity_ratio;
-  std::span<const double> slip_rate;
-  std::span<const double> squeeze_rate;
+  std::span<const double> eccentricity_ratio;  ///< ε
+  std::span<const double> slip_rate;           ///< a
+  std::span<const double> squeeze_rate;        ///< b
 };
 
 /// Motions of journals in their bearings, as in JournalMotion: e [m], v [m/s], absolute spins [rad/s].
 struct JournalMotionArrays {
-  std::span<const double> ex, ey;
-  std::span<const double> vx, vy;
-  std::span<const double> bearing_spin;
-  std::span<const double> journal_spin;
+  std::span<const double> ex;            ///< e, x
+  std::span<const double> ey;            ///< e, y
+  std::span<const double> vx;            ///< v, x
+  std::span<const double> vy;            ///< v, y
+  std::span<const double> bearing_spin;  ///< ω_B
+  std::span<const double> journal_spin;  ///< ω_J
 };
 
 /// Where forces go: x and y for states and motions in a frame, radial and tangential for polar states.
 struct ForceArrays {
-  std::span<double> first;
-  std::span<double> second;
+  std::span<double> first;   ///< x, or radial
+  std::span<double> second;  ///< y, or tangential
 };
 
 /// A row without a film: |e| ≥ c, or a number that is not finite. The rows before it are answered, the others are as
 /// they were.
 class FilmRowError : public FilmDomainError {
  public:
+  /// @param reason  what is wrong with the row, and what is allowed
   FilmRowError(std::size_t row, const std::string& reason);
-  std::size_t row() const { return row_; }
+  std::size_t row() const { return row_; }               ///< counted from 0
   const std::string& reason() const { return reason_; }  ///< without the row
 
  private:
@@ -65,21 +70,25 @@ class FilmRowError : public FilmDomainError {
 /// A row whose force is beyond the range of double precision; rows as for FilmRowError.
 class ForceRowError : public std::range_error {
  public:
+  /// The message names the row.
   explicit ForceRowError(std::size_t row);
-  std::size_t row() const { return row_; }
+  std::size_t row() const { return row_; }  ///< counted from 0
 
  private:
   std::size_t row_;
 };
 
+/// How rows are evaluated; the bits are the same.
 enum class InstructionSet {
   scalar,  ///< one row after the other, with what the build was compiled for
   avx2     ///< AVX2 and FMA, x86-64
 };
 
+/// "scalar" or "avx2".
 std::string_view name_of(InstructionSet set);
 /// True if this machine, and this build, have it.
 bool is_available(InstructionSet set);
+/// avx2 where it is available.
 InstructionSet fastest_instruction_set();
 
 /// Forces over the force scale, F/S [1/s].
@@ -93,9 +102,11 @@ void film_force_ratios(std::string_view law, const FilmStateArrays& states, cons
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const FilmStateArrays& states, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());
+/// The same of polar states: radial and tangential forces.
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const PolarStateArrays& states, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());
+/// The same of motions: forces in their frame.
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const JournalMotionArrays& motions, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());

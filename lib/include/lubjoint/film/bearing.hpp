@@ -57,7 +57,7 @@ class Lubricant {
   explicit Lubricant(const R& viscosity) : viscosity_(viscosity) {
     detail::require_positive("viscosity", viscosity, "Pa s");
   }
-  const R& viscosity() const { return viscosity_; }
+  const R& viscosity() const { return viscosity_; }  ///< μ [Pa s]
 
  private:
   R viscosity_;

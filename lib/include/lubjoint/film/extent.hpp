@@ -14,12 +14,13 @@ enum class FilmExtent { full, half, dynamic };
 /// The half of the bearing in which the wedge builds pressure: a ≥ 0 (film on 0…π) or a < 0 (film on π…2π).
 enum class HalfFilmSide { converging, mirrored };
 
+/// By the sign of a; a = 0 counts as a ≥ 0.
 template <class T>
 HalfFilmSide side_of(const PolarFilmState<T>& state) {
   return value_of(state.slip_rate) < 0 ? HalfFilmSide::mirrored : HalfFilmSide::converging;
 }
 
-/// a = −2u·t, and ε u·t = ê × u: no direction of e is needed. a = 0 counts as a ≥ 0.
+/// The same: a = −2u·t, and ε u·t = ê × u, so that no direction of e is needed.
 template <class T>
 HalfFilmSide side_of(const FilmState<T>& film) {
   return value_of(cross(film.eccentricity, film.velocity)) > 0 ? HalfFilmSide::mirrored : HalfFilmSide::converging;

@@ -40,6 +40,7 @@ struct FilmState {
     check();
   }
 
+  /// For a caller that has checked them.
   FilmState(const Vector2<T>& e_hat, const Vector2<T>& u, const T& known_q, Unchecked)
       : eccentricity(e_hat), velocity(u), q(known_q) {}
 
@@ -67,6 +68,8 @@ struct PolarFilmState {
   /// @throws FilmDomainError if ε is outside [0, 1) or a rate is not finite
   PolarFilmState(const T& epsilon, const T& a, const T& b) : PolarFilmState(epsilon, a, b, one_minus_square(epsilon)) {}
 
+  /// For a caller that knows q = 1 − ε² better than ε can say.
+  /// @throws FilmDomainError as above
   PolarFilmState(const T& epsilon, const T& a, const T& b, const T& known_q)
       : eccentricity_ratio(epsilon), slip_rate(a), squeeze_rate(b), q(known_q) {
     using std::isfinite;
@@ -80,6 +83,7 @@ struct PolarFilmState {
     throw FilmDomainError(message.str());
   }
 
+  /// For a caller that has checked them.
   PolarFilmState(const T& epsilon, const T& a, const T& b, const T& known_q, Unchecked)
       : eccentricity_ratio(epsilon), slip_rate(a), squeeze_rate(b), q(known_q) {}
 
@@ -93,8 +97,8 @@ struct PolarFilmState {
 /// A state seen along its eccentricity: polar components, and the radial direction r that they refer to.
 template <class T>
 struct PolarView {
-  PolarFilmState<T> state;
-  Vector2<T> radial;  ///< r, a unit vector; the tangential direction is perpendicular(r)
+  PolarFilmState<T> state;  ///< ε, a, b
+  Vector2<T> radial;        ///< r, a unit vector; the tangential direction is perpendicular(r)
 };
 
 /// Polar view of a state along a unit vector r: that of ê, or of u where ê = 0.

@@ -2,8 +2,8 @@
 ///
 /// A law gives F/S, the force on the journal over the force scale, as a function of the film state alone. It is
 /// homogeneous of degree one in u and turns with (ê, u). Two ways to write one:
-///   vector law:  template <class T> static Vector2<T> force_ratio(const FilmState<T>&);
-///   polar law:   template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);
+/// - vector law: `template <class T> static Vector2<T> force_ratio(const FilmState<T>&);`
+/// - polar law: `template <class T> static PolarForce<T> force_ratio(const PolarFilmState<T>&, HalfFilmSide);`
 /// A vector law needs no direction of e and stays smooth at e = 0. The half films depend on that direction and on the
 /// sign of a; they are polar laws. Neither ever sees u = 0, or in the plane max |u_i| outside of 1e-60 … 1e60: the
 /// functions below take care of that.
@@ -21,20 +21,23 @@ namespace lubjoint {
 /// Radial (along e) and tangential (90° counter-clockwise of it) components of a force on the journal.
 template <class T>
 struct PolarForce {
-  T radial;
-  T tangential;
+  T radial;      ///< [N], or as the ratio F/S [1/s]
+  T tangential;  ///< likewise
 };
 
+/// A law written in polar components, as half films are.
 template <class Law>
 concept PolarLaw = requires(const PolarFilmState<double>& state) {
   { Law::force_ratio(state, HalfFilmSide::converging) } -> std::same_as<PolarForce<double>>;
 };
 
+/// A law written in vectors.
 template <class Law>
 concept VectorLaw = requires(const FilmState<double>& state) {
   { Law::force_ratio(state) } -> std::same_as<Vector2<double>>;
 };
 
+/// A law of either kind, with its name, force scale and film extent.
 template <class Law>
 concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
   { Law::name } -> std::convertible_to<std::string_view>;

@@ -20,6 +20,7 @@
 
 namespace lubjoint {
 
+/// The laws that there are, in the order in which they are listed everywhere.
 using FilmLaws =
     std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
 
@@ -28,7 +29,7 @@ inline constexpr auto film_law_names = []<class... Law>(std::type_identity<std::
   return std::array<std::string_view, sizeof...(Law)>{Law::name...};
 }(std::type_identity<FilmLaws>{});
 
-/// Calls visitor.template operator()<Law>() for every law.
+/// Calls `visitor.template operator()<Law>()` for every law.
 template <class Visitor>
 void for_each_film_law(Visitor&& visitor) {
   [&]<class... Law>(std::type_identity<std::tuple<Law...>>) {
@@ -46,6 +47,7 @@ inline std::string listed_film_laws() {
   return list;
 }
 
+/// Accepts the name of a law.
 /// @throws std::invalid_argument that lists the laws there are
 inline void require_film_law(std::string_view name) {
   for (const std::string_view known : film_law_names) {
@@ -54,7 +56,7 @@ inline void require_film_law(std::string_view name) {
   throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws());
 }
 
-/// Returns visitor.template operator()<Law>() for the law of that name: the one place where a name becomes a type.
+/// Returns `visitor.template operator()<Law>()` for the law of that name: the one place where a name becomes a type.
 /// @throws std::invalid_argument that lists the laws there are
 template <class Visitor>
 auto with_film_law(std::string_view name, Visitor&& visitor) {

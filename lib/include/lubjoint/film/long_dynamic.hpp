@@ -12,10 +12,11 @@ namespace lubjoint {
 /// keeps its digits as ε → 1.
 /// Accuracy: data/accuracy.csv
 struct LongDynamic {
-  static constexpr std::string_view name = "long_dynamic";
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;
-  static constexpr FilmExtent extent = FilmExtent::dynamic;
+  static constexpr std::string_view name = "long_dynamic";           ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< θs…θs + π
 
+  /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
     using std::sqrt;

@@ -10,10 +10,11 @@ namespace lubjoint {
 /// Source: Flores et al. (2009), eqs. 10 and 11. Linear in u.
 /// Accuracy: data/accuracy.csv
 struct LongFull {
-  static constexpr std::string_view name = "long_full";
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;
-  static constexpr FilmExtent extent = FilmExtent::full;
+  static constexpr std::string_view name = "long_full";              ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::full;             ///< 0…2π, negative pressure kept
 
+  /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
     using std::sqrt;

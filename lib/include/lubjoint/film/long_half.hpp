@@ -11,10 +11,12 @@ namespace lubjoint {
 /// force on a radial velocity, −6(π − 8/π)Su, is not the one on a tangential velocity, −6πSu.
 /// Accuracy: data/accuracy.csv
 struct LongHalf {
-  static constexpr std::string_view name = "long_half";
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;
-  static constexpr FilmExtent extent = FilmExtent::half;
+  static constexpr std::string_view name = "long_half";              ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::half;             ///< 0…π, or π…2π where a < 0
 
+  /// F/S [1/s], radial and tangential, as above.
+  /// @param side  the half that carries pressure: given, since a motion that slides along a = 0 asks for both
   template <class T>
   static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide side) {
     using std::sqrt;

@@ -12,10 +12,12 @@ namespace lubjoint {
 /// at e = 0 with a tangential force.
 /// Accuracy: data/accuracy.csv
 struct LongHalfEq5 {
-  static constexpr std::string_view name = "long_half_eq5";
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;
-  static constexpr FilmExtent extent = FilmExtent::half;
+  static constexpr std::string_view name = "long_half_eq5";          ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::half;             ///< 0…π, or π…2π where a < 0
 
+  /// F/S [1/s], radial and tangential, as above.
+  /// @param side  the half that carries pressure: given, since a motion that slides along a = 0 asks for both
   template <class T>
   static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide side) {
     using std::sqrt;

@@ -14,10 +14,11 @@ namespace lubjoint {
 /// approximation of the long dynamic film, not the integral of any pressure field.
 /// Accuracy: data/accuracy.csv
 struct PinkusSternlicht {
-  static constexpr std::string_view name = "pinkus_sternlicht";
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;
-  static constexpr FilmExtent extent = FilmExtent::dynamic;
+  static constexpr std::string_view name = "pinkus_sternlicht";      ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< the film it approximates: θs…θs + π
 
+  /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
     using std::abs;

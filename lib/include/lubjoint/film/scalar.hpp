@@ -12,20 +12,24 @@
 
 namespace lubjoint {
 
+/// What is asked of a scalar: the number in it, and whether it carries derivatives. Here, a plain number.
 template <class T>
 struct ScalarTraits {
-  using Real = T;  ///< the number itself, without derivatives
-  static constexpr bool carries_derivatives = false;
-  static const Real& value(const T& x) { return x; }
+  using Real = T;                                     ///< the number itself, without derivatives
+  static constexpr bool carries_derivatives = false;  ///< is it differentiated forward?
+  static const Real& value(const T& x) { return x; }  ///< the number
 };
 
+/// The same of an AutoDiffScalar.
 template <class Derivatives>
 struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
-  using Real = typename Eigen::AutoDiffScalar<Derivatives>::Scalar;
-  static constexpr bool carries_derivatives = true;
+  using Real = typename Eigen::AutoDiffScalar<Derivatives>::Scalar;  ///< the number itself, without derivatives
+  static constexpr bool carries_derivatives = true;                  ///< it is
+  /// The number.
   static const Real& value(const Eigen::AutoDiffScalar<Derivatives>& x) { return x.value(); }
 };
 
+/// The number itself of a scalar type, without derivatives.
 template <class T>
 using RealOf = typename ScalarTraits<T>::Real;
 
@@ -35,6 +39,7 @@ const RealOf<T>& value_of(const T& x) {
   return ScalarTraits<T>::value(x);
 }
 
+/// π, to the precision of the scalar.
 template <class T>
 RealOf<T> pi() {
   return boost::math::constants::pi<RealOf<T>>();
@@ -44,11 +49,12 @@ RealOf<T> pi() {
 /// nothing and takes five roundings out of every force.
 template <class R>
 struct ExtendedFor {
-  using Type = R;
+  using Type = R;  ///< R itself, where nothing wider is at hand
 };
+/// For double.
 template <>
 struct ExtendedFor<double> {
-  using Type = long double;
+  using Type = long double;  ///< 64 bits of mantissa on x86
 };
 
 /// 1 − x², without cancellation. Floating point: one fused multiply-add, correctly rounded. Other scalars: the

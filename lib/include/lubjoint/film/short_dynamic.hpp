@@ -11,10 +11,11 @@ namespace lubjoint {
 /// Smooth away from u = 0; one arctangent. A film that opens keeps its digits as ε → 1.
 /// Accuracy: data/accuracy.csv
 struct ShortDynamic {
-  static constexpr std::string_view name = "short_dynamic";
-  static constexpr BearingLimit limit = BearingLimit::short_bearing;
-  static constexpr FilmExtent extent = FilmExtent::dynamic;
+  static constexpr std::string_view name = "short_dynamic";           ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;  ///< S = μRL³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;           ///< θs…θs + π
 
+  /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
     using std::sqrt;

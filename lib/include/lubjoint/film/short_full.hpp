@@ -10,10 +10,11 @@ namespace lubjoint {
 /// Source: Flores et al. (2009), eqs. 6 and 7. Linear in u.
 /// Accuracy: data/accuracy.csv
 struct ShortFull {
-  static constexpr std::string_view name = "short_full";
-  static constexpr BearingLimit limit = BearingLimit::short_bearing;
-  static constexpr FilmExtent extent = FilmExtent::full;
+  static constexpr std::string_view name = "short_full";              ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;  ///< S = μRL³/c²
+  static constexpr FilmExtent extent = FilmExtent::full;              ///< 0…2π, negative pressure kept
 
+  /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
     using std::sqrt;

@@ -7,6 +7,7 @@
 
 namespace lubjoint {
 
+/// A vector in the plane.
 template <class T>
 using Vector2 = Eigen::Matrix<T, 2, 1>;
 
@@ -28,6 +29,7 @@ T cross(const Vector2<T>& a, const Vector2<T>& b) {
   return T(a.x() * b.y() - a.y() * b.x());
 }
 
+/// Are both components 0? Derivatives are not looked at.
 template <class T>
 bool is_zero(const Vector2<T>& v) {
   return value_of(v.x()) == 0 && value_of(v.y()) == 0;

@@ -9,9 +9,9 @@ namespace lubjoint {
 /// Arms of a joint and the motion of its journal, all in the inertial frame.
 template <class T>
 struct JointKinematics {
-  Vector2<T> bearing_arm;  ///< s_i, from the mass centre of the bearing's body to the bearing's centre [m]
-  Vector2<T> journal_arm;  ///< s_j, from the mass centre of the journal's body to the journal's centre [m]
-  JournalMotion<T> motion;
+  Vector2<T> bearing_arm;   ///< s_i, from the mass centre of the bearing's body to the bearing's centre [m]
+  Vector2<T> journal_arm;   ///< s_j, from the mass centre of the journal's body to the journal's centre [m]
+  JournalMotion<T> motion;  ///< e, v and both spins
 };
 
 /// Kinematics of a lubricated joint.

@@ -10,11 +10,12 @@ namespace lubjoint {
 template <FilmLaw Law, class R>
 class LubricatedJoint {
  public:
+  /// Forms the force scale, once.
   LubricatedJoint(const Bearing<R>& bearing, const Lubricant<R>& oil)
       : bearing_(bearing), scale_(lubjoint::force_scale(Law::limit, bearing, oil)) {}
 
-  const Bearing<R>& bearing() const { return bearing_; }
-  const R& force_scale() const { return scale_; }  ///< S [N s]
+  const Bearing<R>& bearing() const { return bearing_; }  ///< L, R, c
+  const R& force_scale() const { return scale_; }         ///< S [N s]
 
   /// Force on the journal [N], inertial.
   /// @throws FilmDomainError where |e| ≥ c

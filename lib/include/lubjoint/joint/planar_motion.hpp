@@ -29,9 +29,10 @@ Vector2<T> inertial_vector(const PlanarMotion<T>& body, const Vector2<RealOf<T>>
 /// A motion with the cosine and sine of its angle: formed once for all points of the body.
 template <class T>
 struct PlanarFrame : PlanarMotion<T> {
-  T cosine;
-  T sine;
+  T cosine;  ///< cos φ
+  T sine;    ///< sin φ
 
+  /// Forms cosine and sine.
   explicit PlanarFrame(const PlanarMotion<T>& motion) : PlanarMotion<T>(motion) {
     using std::cos;
     using std::sin;

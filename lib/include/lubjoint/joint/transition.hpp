@@ -11,9 +11,10 @@ namespace lubjoint {
 /// Widths of the transition: it is over at |e| = c + e₀; inside F_film the film's clearance is c + e₁. 0 < e₀ < e₁ [m].
 template <class R>
 struct TransitionTolerances {
-  R e0;
-  R e1;
+  R e0;  ///< width of the blend [m]
+  R e1;  ///< what the film's clearance is widened by [m]
 
+  /// @throws std::invalid_argument unless 0 < e0 < e1
   TransitionTolerances(const R& blend, const R& widening) : e0(blend), e1(widening) {
     if (e0 > 0 && e1 > e0) return;
     std::ostringstream message;
@@ -30,6 +31,7 @@ enum class ContactPhase {
   dry     ///< |e| ≥ c + e₀
 };
 
+/// "film", "blend" or "dry".
 inline const char* contact_phase_name(ContactPhase phase) {
   return phase == ContactPhase::film ? "film" : phase == ContactPhase::blend ? "blend" : "dry";
 }

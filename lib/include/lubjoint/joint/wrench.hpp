@@ -8,10 +8,11 @@ namespace lubjoint {
 /// Force [N] and moment about the mass centre [N m], counter-clockwise positive.
 template <class T>
 struct Wrench {
-  Vector2<T> force;
-  T moment;
+  Vector2<T> force;  ///< [N]
+  T moment;          ///< [N m]
 };
 
+/// What a joint puts on its two bodies.
 template <class T>
 struct JointWrenches {
   Wrench<T> bearing;  ///< on body i

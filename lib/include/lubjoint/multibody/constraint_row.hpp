@@ -8,11 +8,11 @@ namespace lubjoint {
 /// One row of Φ(q, t) = 0 between a first body i and a second body j. A column that belongs to the ground is ignored.
 template <class T>
 struct ConstraintRow {
-  T value;                 ///< Φ
-  T time_rate;             ///< Φ_t
-  T gamma;                 ///< γ = −(Φq q̇)q q̇ − 2Φqt q̇ − Φtt (eq. 40)
-  std::array<T, 3> first;  ///< Φq, columns x, y, φ of body i
-  std::array<T, 3> second;
+  T value;                  ///< Φ
+  T time_rate;              ///< Φ_t
+  T gamma;                  ///< γ = −(Φq q̇)q q̇ − 2Φqt q̇ − Φtt (eq. 40)
+  std::array<T, 3> first;   ///< Φq, columns x, y, φ of body i
+  std::array<T, 3> second;  ///< those of body j
 };
 
 /// Position, velocity and body-fixed arm of a point of a body.
@@ -23,6 +23,8 @@ struct PointMotion {
   Vector2<T> velocity;  ///< ṙ + φ̇ s⊥
 };
 
+/// Motion of a body-fixed point.
+/// @param point  from the mass centre, in the body's frame [m]
 template <class T>
 PointMotion<T> point_motion(const PlanarFrame<T>& body, const Vector2<RealOf<T>>& point) {
   const Vector2<T> s = inertial_vector(body, point);

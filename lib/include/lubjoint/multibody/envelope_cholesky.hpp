@@ -29,8 +29,9 @@ class EnvelopeCholesky {
     entries_.resize(start_.back());
   }
 
-  std::size_t size() const { return first_.size(); }
+  std::size_t size() const { return first_.size(); }      ///< rows
   std::size_t stored() const { return entries_.size(); }  ///< numbers inside the envelope
+  /// All entries of the envelope.
   void set_zero() { std::fill(entries_.begin(), entries_.end(), R(0)); }
 
   /// Entry of the lower triangle, inside the envelope.

@@ -16,6 +16,7 @@ struct JournalDrive {
   R bearing_spin;   ///< ω_B [rad/s]
   R journal_spin;   ///< ω_J [rad/s]: constant, since the film's force acts at the journal's centre
 
+  /// ½(ω_J + ω_B) [rad/s].
   R mean_spin() const { return (bearing_spin + journal_spin) / 2; }
 };
 
@@ -28,17 +29,19 @@ using JournalState = std::array<T, 4>;
 template <FilmLaw Law, class R = double>
 class FreeJournal {
  public:
-  using FilmLawType = Law;
+  using FilmLawType = Law;  ///< the law of its film
 
+  /// @throws std::invalid_argument if the mass is not positive and finite
   FreeJournal(const LubricatedJoint<Law, R>& joint, const JournalDrive<R>& drive)
       : joint_(joint), drive_(drive), inertia_(drive.mass * joint.bearing().clearance()) {
     detail::require_positive("mass", drive.mass, "kg");
   }
 
-  const LubricatedJoint<Law, R>& joint() const { return joint_; }
-  const JournalDrive<R>& drive() const { return drive_; }
-  const R& inertia() const { return inertia_; }  ///< m c [kg m]
+  const LubricatedJoint<Law, R>& joint() const { return joint_; }  ///< bearing, oil, law
+  const JournalDrive<R>& drive() const { return drive_; }          ///< mass, load, spins
+  const R& inertia() const { return inertia_; }                    ///< m c [kg m]
 
+  /// Film state (ê, u) of a state.
   template <class T>
   FilmState<T> film(const JournalState<T>& y) const {
     const R spin = drive_.mean_spin();
@@ -51,6 +54,7 @@ class FreeJournal {
     return joint_.force(film(y));
   }
 
+  /// Right-hand side of the equations above.
   /// @throws FilmDomainError where ε ≥ 1
   template <class T>
   void rate(const JournalState<T>& y, JournalState<T>& dydt) const {

@@ -7,14 +7,15 @@ namespace lubjoint {
 /// A body that is held where it is: Φ = (x − x₀, y − y₀, φ − φ₀), γ = 0.
 template <class R>
 struct GroundConstraint {
-  static constexpr std::size_t rows = 3;
-  std::size_t body;
-  Vector2<R> position;  ///< [m]
-  R angle;              ///< [rad]
+  static constexpr std::size_t rows = 3;  ///< scalar equations
+  std::size_t body;                       ///< the one that is held
+  Vector2<R> position;                    ///< x₀, y₀ of its mass centre [m]
+  R angle;                                ///< φ₀ [rad]
 
-  std::size_t first_body() const { return ground_body; }
-  std::size_t second_body() const { return body; }
+  std::size_t first_body() const { return ground_body; }  ///< i
+  std::size_t second_body() const { return body; }        ///< j
 
+  /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>&, const PlanarFrame<T>& held, const Time&, ConstraintRow<T>* row) const {
     const T zero(0);

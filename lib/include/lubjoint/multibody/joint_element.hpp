@@ -27,6 +27,7 @@ struct FilmVariant<R, std::tuple<Law...>> {
 template <class R>
 using AnyFilm = typename detail::FilmVariant<R, FilmLaws>::Type;
 
+/// The film of the law of that name.
 /// @throws std::invalid_argument that lists the laws there are
 template <class R>
 AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil) {
@@ -36,7 +37,7 @@ AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubr
 /// Dry contact of a joint.
 template <class R>
 struct JointContact {
-  ContactSurface<R> surface;
+  ContactSurface<R> surface;                          ///< stiffness and restitution
   std::optional<TransitionTolerances<R>> transition;  ///< none: a dry joint
   R min_impact_speed;                                 ///< least δ̇₀ [m/s]
 };
@@ -44,17 +45,18 @@ struct JointContact {
 /// The memory of a joint with contact: which piece of its force holds, and δ̇₀.
 template <class R>
 struct JointMemory {
-  ContactPhase phase = ContactPhase::film;
-  R impact_speed = R(1);
+  ContactPhase phase = ContactPhase::film;  ///< the piece
+  R impact_speed = R(1);                    ///< δ̇₀, at which e = c was last crossed outwards [m/s]
 };
 
 /// What a joint does to its journal, film and contact apart.
 template <class T>
 struct JointForce {
-  JointKinematics<T> kinematics;
-  Vector2<T> film;
-  ContactForce<T> contact;
+  JointKinematics<T> kinematics;  ///< where the journal is
+  Vector2<T> film;                ///< the film's share, on the journal [N]
+  ContactForce<T> contact;        ///< the contact's share, on the journal
 
+  /// Both shares together [N].
   Vector2<T> total() const { return Vector2<T>(T(film.x() + contact.force.x()), T(film.y() + contact.force.y())); }
 
   /// Power of a force F on the journal and −F at the same point of the bearing's body: F·v − ω_B (e × F) [W].
@@ -62,24 +64,28 @@ struct JointForce {
     const JournalMotion<T>& m = kinematics.motion;
     return T(dot(force, m.velocity) - m.bearing_spin * cross(m.eccentricity, force));
   }
-  T film_power() const { return power(film); }
+  T film_power() const { return power(film); }  ///< of the film on both bodies [W]
+  /// Of the contact on both bodies, its couple included [W].
   T contact_power() const {
     const JournalMotion<T>& m = kinematics.motion;
     return T(power(contact.force) + contact.couple * (m.journal_spin - m.bearing_spin));
   }
 };
 
+/// A joint with clearance between two bodies: a film, dry contact, or both with a transition.
 template <class R>
 struct JointElement {
-  std::string name;
-  BodyPoint<R> bearing_at;
-  BodyPoint<R> journal_at;
+  std::string name;                ///< in messages and results
+  BodyPoint<R> bearing_at;         ///< the bearing's centre
+  BodyPoint<R> journal_at;         ///< the journal's centre
   Bearing<R> bearing;              ///< its clearance is the one that is reported
   std::optional<AnyFilm<R>> film;  ///< with a transition, of clearance c + e₁
+  /// None: the film alone.
   std::optional<JointContact<R>> contact;
 
-  bool has_contact() const { return contact.has_value(); }
+  bool has_contact() const { return contact.has_value(); }  ///< does it need events?
 
+  /// Force on the journal, of the piece that the memory names.
   /// @throws FilmDomainError where there is no film, and the phase asks for one
   template <class T>
   JointForce<T> force(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body,

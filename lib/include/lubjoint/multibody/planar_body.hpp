@@ -16,6 +16,7 @@ inline constexpr std::size_t planar_coordinates = 3;
 /// The ground, where the number of a body is asked for. It is no body of the system.
 inline constexpr std::size_t ground_body = std::numeric_limits<std::size_t>::max();
 
+/// Inertia of a rigid body and the constant loads on it.
 template <class R>
 struct PlanarBody {
   R mass;           ///< m [kg]
@@ -38,8 +39,8 @@ struct PlanarBody {
 /// A point fixed to a body, from its mass centre; or to the ground, inertial.
 template <class R>
 struct BodyPoint {
-  std::size_t body;
-  Vector2<R> point;
+  std::size_t body;  ///< its number, or ground_body
+  Vector2<R> point;  ///< [m]
 };
 
 }  // namespace lubjoint

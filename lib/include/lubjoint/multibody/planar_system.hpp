@@ -12,8 +12,8 @@ namespace lubjoint {
 /// Baumgarte's α and β [1/s]: a violation Φ obeys Φ̈ + 2αΦ̇ + β²Φ = 0. Both 0: none.
 template <class R>
 struct Baumgarte {
-  R alpha = R(0);
-  R beta = R(0);
+  R alpha = R(0);  ///< damping
+  R beta = R(0);   ///< stiffness
 };
 
 namespace detail {
@@ -49,15 +49,16 @@ struct ImplicitDifferentiation<T, true> {
 /// takes no other memory.
 template <class T>
 struct SystemWorkspace {
-  using R = RealOf<T>;
-  std::vector<PlanarFrame<T>> frames;
-  PlanarFrame<T> ground{ground_motion<T>()};
-  std::vector<ConstraintRow<T>> rows;
-  std::vector<JointForce<T>> joints;
-  std::vector<T> forces;         ///< g: loads, weights and joints
-  std::vector<T> accelerations;  ///< q̈
-  std::vector<T> multipliers;    ///< λ
-  EnvelopeCholesky<R> schur;     ///< Φq M⁻¹ Φqᵀ
+  using R = RealOf<T>;                        ///< the number itself
+  std::vector<PlanarFrame<T>> frames;         ///< of the bodies
+  PlanarFrame<T> ground{ground_motion<T>()};  ///< what stands in for a body
+  std::vector<ConstraintRow<T>> rows;         ///< of Φ = 0
+  std::vector<JointForce<T>> joints;          ///< what each joint does
+  std::vector<T> forces;                      ///< g: loads, weights and joints
+  std::vector<T> accelerations;               ///< q̈
+  std::vector<T> multipliers;                 ///< λ
+  EnvelopeCholesky<R> schur;                  ///< Φq M⁻¹ Φqᵀ
+  /// Memory for derivatives through the solve.
   detail::ImplicitDifferentiation<T> implicit;
 };
 
@@ -69,6 +70,7 @@ struct SystemWorkspace {
 template <class R>
 class PlanarSystem {
  public:
+  /// Finds the structure of the equations; numbers of bodies are those of their place in the list.
   PlanarSystem(std::vector<PlanarBody<R>> bodies, std::vector<NamedConstraint<R>> constraints,
                std::vector<JointElement<R>> joints, const Vector2<R>& gravity, const Baumgarte<R>& stabilisation)
       : bodies_(std::move(bodies)),
@@ -80,15 +82,18 @@ class PlanarSystem {
     find_structure();
   }
 
-  const std::vector<PlanarBody<R>>& bodies() const { return bodies_; }
-  const std::vector<NamedConstraint<R>>& constraints() const { return constraints_; }
-  const std::vector<JointElement<R>>& joints() const { return joints_; }
-  const Vector2<R>& gravity() const { return gravity_; }
-  std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }
-  std::size_t constraint_rows() const { return first_row_.back(); }
+  const std::vector<PlanarBody<R>>& bodies() const { return bodies_; }                 ///< in their order
+  const std::vector<NamedConstraint<R>>& constraints() const { return constraints_; }  ///< in their order
+  const std::vector<JointElement<R>>& joints() const { return joints_; }               ///< in their order
+  const Vector2<R>& gravity() const { return gravity_; }                               ///< [m/s²]
+  std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }      ///< number of q
+  std::size_t constraint_rows() const { return first_row_.back(); }                    ///< number of λ
+  /// Number of the first λ of a constraint.
   std::size_t first_row(std::size_t constraint) const { return first_row_[constraint]; }
+  /// 1/m, 1/m, 1/I of a body.
   const std::array<R, 3>& inverse_mass(std::size_t body) const { return inverse_mass_[body]; }
 
+  /// All the memory that evaluations on the scalar T take.
   template <class T>
   SystemWorkspace<T> workspace() const {
     SystemWorkspace<T> w;
@@ -240,7 +245,9 @@ class PlanarSystem {
     return rate;
   }
 
+  /// Body i of a row, or ground_body.
   std::size_t first_body_of_row(std::size_t row) const { return sides_[row].first; }
+  /// Body j of a row, or ground_body.
   std::size_t second_body_of_row(std::size_t row) const { return sides_[row].second; }
 
   /// −Φqᵀλ of one constraint on its second body: force [N] and moment about the mass centre [N m].

@@ -8,13 +8,14 @@ namespace lubjoint {
 /// The multipliers are the force that the pin puts on body i; body j gets −λ.
 template <class R>
 struct Revolute {
-  static constexpr std::size_t rows = 2;
-  BodyPoint<R> first;
-  BodyPoint<R> second;
+  static constexpr std::size_t rows = 2;  ///< scalar equations
+  BodyPoint<R> first;                     ///< P_i
+  BodyPoint<R> second;                    ///< P_j
 
-  std::size_t first_body() const { return first.body; }
-  std::size_t second_body() const { return second.body; }
+  std::size_t first_body() const { return first.body; }    ///< i
+  std::size_t second_body() const { return second.body; }  ///< j
 
+  /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time&, ConstraintRow<T>* row) const {
     const Vector2<T> s_i = inertial_vector(body_i, first.point);

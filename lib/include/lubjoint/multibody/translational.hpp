@@ -9,15 +9,16 @@ namespace lubjoint {
 ///   γ₁ = n·(φ̇_j² s_j − φ̇_i² s_i) + 2φ̇_i u·ḋ + φ̇_i² n·d,  γ₂ = 0
 template <class R>
 struct Translational {
-  static constexpr std::size_t rows = 2;
-  BodyPoint<R> first;   ///< a point of the guide
-  Vector2<R> axis;      ///< its direction, fixed to body i; a unit vector
-  BodyPoint<R> second;  ///< a point of the slider, kept on the guide
-  R angle;              ///< φ₀ [rad]
+  static constexpr std::size_t rows = 2;  ///< scalar equations
+  BodyPoint<R> first;                     ///< a point of the guide
+  Vector2<R> axis;                        ///< its direction, fixed to body i; a unit vector
+  BodyPoint<R> second;                    ///< a point of the slider, kept on the guide
+  R angle;                                ///< φ₀ [rad]
 
-  std::size_t first_body() const { return first.body; }
-  std::size_t second_body() const { return second.body; }
+  std::size_t first_body() const { return first.body; }    ///< i
+  std::size_t second_body() const { return second.body; }  ///< j
 
+  /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time&, ConstraintRow<T>* row) const {
     const PointMotion<T> p_i = point_motion(body_i, first.point);

@@ -8,12 +8,13 @@ namespace lubjoint {
 
 /// The parts of a scene with one body, whose journal runs in a bearing on the ground.
 struct JournalScene {
-  Bearing<double> bearing;
-  Lubricant<double> oil;
-  JournalDrive<double> drive;
-  JournalState<double> start;
+  Bearing<double> bearing;     ///< L, R, c
+  Lubricant<double> oil;       ///< μ
+  JournalDrive<double> drive;  ///< mass, load with weight, spins
+  JournalState<double> start;  ///< ê and w at t = 0
 };
 
+/// The parts of a scene that is one.
 /// @throws SceneError if the scene is no free journal, naming what it has too much or too little of, or if the journal
 /// starts outside its bearing
 JournalScene journal_scene(const Scene& scene);

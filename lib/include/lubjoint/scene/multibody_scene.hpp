@@ -94,6 +94,7 @@ std::vector<R> scene_start(const Scene& scene) {
   return y;
 }
 
+/// The units of a scene, from its joints' clearances and its bodies' speeds.
 SceneUnits scene_units(const Scene& scene);
 
 /// Tolerance of every state of a run: positions in units of length, angles so that the largest arm's end moves by as

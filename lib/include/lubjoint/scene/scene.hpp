@@ -13,21 +13,21 @@ namespace lubjoint {
 
 /// A rigid body in the plane and its state at t = 0.
 struct SceneBody {
-  std::string name;
-  std::size_t line = 0;  ///< of the file, for messages
-  double mass = 0;       ///< [kg]
-  double inertia = 0;    ///< about the mass centre [kg m²]
-  Vector2<double> position{0, 0};
-  double angle = 0;
-  Vector2<double> velocity{0, 0};
-  double spin = 0;
+  std::string name;                ///< unique
+  std::size_t line = 0;            ///< of the file, for messages
+  double mass = 0;                 ///< [kg]
+  double inertia = 0;              ///< about the mass centre [kg m²]
+  Vector2<double> position{0, 0};  ///< of the mass centre [m]
+  double angle = 0;                ///< [rad]
+  Vector2<double> velocity{0, 0};  ///< of the mass centre [m/s]
+  double spin = 0;                 ///< [rad/s]
 };
 
 /// A constant force on a body, inertial, through its mass centre, and a constant moment.
 struct SceneLoad {
-  std::size_t body = 0;
-  Vector2<double> force{0, 0};
-  double moment = 0;  ///< counter-clockwise positive [N m]
+  std::size_t body = 0;         ///< its number in Scene::bodies
+  Vector2<double> force{0, 0};  ///< [N]
+  double moment = 0;            ///< counter-clockwise positive [N m]
 };
 
 /// One side of a joint: a point fixed to a body, or to the ground.
@@ -38,93 +38,97 @@ struct SceneAnchor {
 
 /// Widths of the transition from film to contact: 0 < e₀ < e₁ [m].
 struct SceneTransition {
-  double e0 = 0;
-  double e1 = 0;
+  double e0 = 0;  ///< width of the blend [m]
+  double e1 = 0;  ///< what the film's clearance is widened by [m]
 };
 
 /// Dry contact of journal and bearing.
 struct SceneContact {
-  double bearing_modulus = 0;  ///< Young's [Pa]
-  double bearing_poisson = 0;
-  double journal_modulus = 0;
-  double journal_poisson = 0;
-  double restitution = 0;
-  double min_impact_speed = 0;  ///< [m/s]
+  double bearing_modulus = 0;   ///< Young's [Pa]
+  double bearing_poisson = 0;   ///< Poisson's ratio
+  double journal_modulus = 0;   ///< Young's [Pa]
+  double journal_poisson = 0;   ///< Poisson's ratio
+  double restitution = 0;       ///< c_r, from 0 to 1
+  double min_impact_speed = 0;  ///< least δ̇₀ [m/s]
   double friction = 0;          ///< Coulomb's coefficient
   double slow_sliding = 1e-3;   ///< sliding speed below which friction fades [m/s]
 };
 
+/// In place of a law's name: a dry joint.
 inline constexpr const char* no_film = "none";
 
 /// A journal bearing between two bodies. A film alone, a film with transition to contact, or (film "none") contact.
 struct SceneJoint {
-  std::string name;
-  std::size_t line = 0;  ///< of the file, for messages
-  std::string film;      ///< name of the law, or "none"
-  double viscosity = 0;
-  double length = 0;
-  double journal_radius = 0;
-  double clearance = 0;
-  SceneAnchor bearing;
-  SceneAnchor journal;
-  std::optional<SceneTransition> transition;
-  std::optional<SceneContact> contact;
+  std::string name;                           ///< unique
+  std::size_t line = 0;                       ///< of the file, for messages
+  std::string film;                           ///< name of the law, or "none"
+  double viscosity = 0;                       ///< μ [Pa s]
+  double length = 0;                          ///< L [m]
+  double journal_radius = 0;                  ///< R [m]
+  double clearance = 0;                       ///< c, radial [m]
+  SceneAnchor bearing;                        ///< its centre
+  SceneAnchor journal;                        ///< its centre
+  std::optional<SceneTransition> transition;  ///< none: film alone, or contact alone
+  std::optional<SceneContact> contact;        ///< none: the run stops at ε = 1
 };
 
 /// A body held where it is.
 struct SceneGround {
-  std::size_t body = 0;
-  Vector2<double> position{0, 0};
-  double angle = 0;
+  std::size_t body = 0;            ///< its number in Scene::bodies
+  Vector2<double> position{0, 0};  ///< of its mass centre [m]
+  double angle = 0;                ///< [rad]
 };
 
 /// An ideal pin.
 struct SceneRevolute {
-  SceneAnchor first;
-  SceneAnchor second;
+  SceneAnchor first;   ///< on one body
+  SceneAnchor second;  ///< on the other
 };
 
 /// A slider (second) on a straight guide (first).
 struct SceneTranslational {
-  SceneAnchor first;
-  Vector2<double> axis{1, 0};
-  SceneAnchor second;
-  double angle = 0;  ///< of the slider to the guide's body
+  SceneAnchor first;           ///< a point of the guide
+  Vector2<double> axis{1, 0};  ///< the guide's direction, fixed to its body; any length
+  SceneAnchor second;          ///< a point of the slider
+  double angle = 0;            ///< [rad], of the slider to the guide's body
 };
 
 /// A motor: the body's angle against another's, φ₀ + ωt + ½αt².
 struct SceneDriver {
-  std::size_t body = 0;
+  std::size_t body = 0;                ///< the one that is turned
   std::optional<std::size_t> against;  ///< none: ground
-  double angle = 0;
-  double speed = 0;
-  double acceleration = 0;
+  double angle = 0;                    ///< φ₀ [rad]
+  double speed = 0;                    ///< ω [rad/s]
+  double acceleration = 0;             ///< α [rad/s²]
 };
 
+/// A constraint of any kind.
 struct SceneConstraint {
-  std::string name;
+  std::string name;  ///< unique
+  /// What it is.
   std::variant<SceneGround, SceneRevolute, SceneTranslational, SceneDriver> kind;
 };
 
 /// How constraints are kept: Baumgarte's α and β, or projection of every step.
 struct SceneStabilisation {
-  bool projection = false;
-  double alpha = 5;  ///< [1/s]; common values in the literature lie from 1 to 20
-  double beta = 5;   ///< [1/s]
+  bool projection = false;  ///< in place of Baumgarte's terms
+  double alpha = 5;         ///< [1/s]; common values in the literature lie from 1 to 20
+  double beta = 5;          ///< [1/s]
 };
 
+/// A mechanism, what acts on it, and how it is to be run.
 struct Scene {
-  std::string file;  ///< where it was read from
-  std::string name;
-  Vector2<double> gravity{0, 0};
-  std::vector<SceneBody> bodies;
-  std::vector<SceneLoad> loads;
-  std::vector<SceneJoint> joints;
-  std::vector<SceneConstraint> constraints;
-  SceneStabilisation stabilisation;
-  bool energy_ledger = false;
-  std::string integrator = "radau_iia5";
-  RunSettings run;
+  std::string file;                          ///< where it was read from
+  std::string name;                          ///< as the file gives it
+  Vector2<double> gravity{0, 0};             ///< [m/s²]
+  std::vector<SceneBody> bodies;             ///< in the file's order, as all lists are
+  std::vector<SceneLoad> loads;              ///< constant forces and moments
+  std::vector<SceneJoint> joints;            ///< with clearance
+  std::vector<SceneConstraint> constraints;  ///< ideal joints, guides and drivers
+  SceneStabilisation stabilisation;          ///< how the constraints are kept
+  bool energy_ledger = false;                ///< keep account of work and energy?
+  std::string integrator = "radau_iia5";     ///< its name
+  RunSettings run;                           ///< duration, tolerances, output
 };
 
 }  // namespace lubjoint

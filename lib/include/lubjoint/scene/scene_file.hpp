@@ -16,12 +16,13 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a scene file may hold at a key: a number, a truth value, a name.
 using SceneValue = std::variant<double, bool, std::string>;
 
 /// A value in place of one that a scene file has, or leaves out.
 struct SceneChange {
-  std::string key;  ///< as messages name it: joints[0].clearance, bodies[2].position[1]; or joints.NAME.clearance
-  SceneValue value;
+  std::string key;   ///< as messages name it: joints[0].clearance, bodies[2].position[1]; or joints.NAME.clearance
+  SceneValue value;  ///< what it is to be
 };
 
 /// The text of a scene file, read once: what happens to the file later changes no scene made from it.
@@ -30,8 +31,8 @@ class SceneFile {
   /// @throws SceneError if the file can't be read
   explicit SceneFile(const std::filesystem::path& file);
 
-  const std::string& name() const { return name_; }
-  const std::string& text() const { return text_; }
+  const std::string& name() const { return name_; }  ///< of the file, as it was given
+  const std::string& text() const { return text_; }  ///< all of it
 
   /// The scene, checked as if the file held the changed values. Unknown and missing keys, wrong types and impossible
   /// values are refused.

@@ -15,28 +15,28 @@ namespace lubjoint {
 
 /// Trajectory and extremes of a journal in its bearing.
 struct JournalTrajectory {
-  RunOutcome outcome;
-  std::vector<JournalSample> samples;  ///< one each output interval, and the last state
-  std::vector<SlidingInterval> sliding;
-  double max_eccentricity_ratio = 0;
-  double max_force = 0;           ///< [N]
-  double min_film_thickness = 0;  ///< c(1 − ε) [m]
-  double wall_seconds = 0;
+  RunOutcome outcome;                    ///< how it ended, and its counts
+  std::vector<JournalSample> samples;    ///< one each output interval, and the last state
+  std::vector<SlidingInterval> sliding;  ///< when a half film slid along a = 0
+  double max_eccentricity_ratio = 0;     ///< largest ε
+  double max_force = 0;                  ///< [N]
+  double min_film_thickness = 0;         ///< c(1 − ε) [m]
+  double wall_seconds = 0;               ///< that the run took
 };
 
 /// Trajectory and extremes of a multibody scene.
 struct MultibodyTrajectory {
-  RunOutcome outcome;
-  StartCorrection<double> correction;    ///< what bringing the start onto the constraints has changed
-  std::vector<MultibodySample> samples;  ///< one each output interval, and the last state
-  std::vector<JointExtremes> joints;     ///< in the scene's order
-  std::vector<std::string> driver_names;
-  std::vector<DriverExtremes> drivers;
-  std::vector<ContactEvent> events;
-  ConstraintDrift drift;
+  RunOutcome outcome;                     ///< how it ended, and its counts
+  StartCorrection<double> correction;     ///< what bringing the start onto the constraints has changed
+  std::vector<MultibodySample> samples;   ///< one each output interval, and the last state
+  std::vector<JointExtremes> joints;      ///< in the scene's order
+  std::vector<std::string> driver_names;  ///< in the scene's order
+  std::vector<DriverExtremes> drivers;    ///< their moments, in the same order
+  std::vector<ContactEvent> events;       ///< when a journal met or left its wall
+  ConstraintDrift drift;                  ///< how far the constraints were off
   std::optional<double> energy_residual;  ///< largest |E − E₀ − work| at the end of a step [J]
   double energy_scale = 0;                ///< largest kinetic energy or work [J]
-  double wall_seconds = 0;
+  double wall_seconds = 0;                ///< that the run took
 };
 
 /// Does the scene hold just one journal in a bearing on the ground, without contact, constraint or ledger? It then runs

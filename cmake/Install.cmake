@@ -1,0 +1,43 @@
+# cmake --install: what goes where. Components (cmake --install build --component NAME), also the Debian packages':
+#   dev    headers, CMake package, pkg-config file, the static libraries (batch evaluation, scenes)
+#   c      the shared library of the C interface
+#   tool   the program and the data that it reads
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lubjoint)
+
+# One export a target: who wants the headers alone need not have toml++, who wants C need not have Eigen.
+install(DIRECTORY lib/include/lubjoint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN *.hpp)
+install(TARGETS lubjoint EXPORT headers COMPONENT dev)
+if(TARGET lubjoint_c)
+  install(FILES lib/c/lubjoint.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+  install(TARGETS lubjoint_c EXPORT c
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT c NAMELINK_COMPONENT dev)
+  # Relative, so that an unpacked package works anywhere.
+  file(RELATIVE_PATH relative_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  string(REGEX REPLACE "/$" "" relative_prefix ${relative_prefix})
+  configure_file(cmake/lubjoint-c.pc.in ${PROJECT_BINARY_DIR}/lubjoint-c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/lubjoint-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endif()
+foreach(part batch scene)
+  if(TARGET lubjoint_${part})
+    install(TARGETS lubjoint_${part} EXPORT ${part} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+  endif()
+endforeach()
+foreach(part headers batch c scene)
+  if(part STREQUAL "headers" OR TARGET lubjoint_${part})
+    install(EXPORT ${part} NAMESPACE lubjoint:: FILE lubjoint-${part}.cmake DESTINATION ${package_folder} COMPONENT dev)
+  endif()
+endforeach()
+configure_package_config_file(cmake/lubjointConfig.cmake.in ${PROJECT_BINARY_DIR}/lubjointConfig.cmake
+  INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
+# Before 1.0 the second number says what breaks.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lubjointConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lubjointConfig.cmake ${PROJECT_BINARY_DIR}/lubjointConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT dev)
+
+if(TARGET lubjoint_cli)
+  install(TARGETS lubjoint_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
+  # Beside the program, ../share/lubjoint: it looks there (oracle/reports/data_folder.hpp).
+  install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lubjoint COMPONENT tool PATTERN figures EXCLUDE)
+  install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+endif()
