@@ -9,6 +9,7 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/journal_report.hpp"
 #include "oracle/verify/foreign_program.hpp"
 #include "oracle/verify/report.hpp"
@@ -23,6 +24,7 @@ struct VerifyOptions {
   std::string quantities = "cartesian";
   std::size_t states = 1000;
   std::uint64_t seed = 1;
+  std::string golden = LUBJOINT_GOLDEN;
   double timeout = 60;
   std::string states_out;
   std::string answers;
@@ -125,6 +127,15 @@ int refuse(const VerifyOptions& o, const verify::UnjudgedError& error) {
   return 2;
 }
 
+/// The states to ask about. Golden data that were cut off or changed would judge a right program to be wrong.
+std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities quantities) {
+  if (const auto differences = reports::manifest_differences(o.golden); !differences.empty()) {
+    throw std::invalid_argument("golden data in \"" + o.golden + "\": " + differences.front().text() +
+                                "; allowed is the folder data/golden that comes with lubjoint, as it came");
+  }
+  return verify::states_to_verify(quantities, o.golden, o.states, o.seed);
+}
+
 int run(const VerifyOptions& o) {
   if (o.list_mistakes) {
     std::cout << (o.markdown ? verify::gallery_markdown() : verify::described_gallery());
@@ -139,7 +150,7 @@ int run(const VerifyOptions& o) {
   }
   check(o);
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
-  std::vector<verify::State> states = verify::states_to_verify(quantities, o.states, o.seed);
+  std::vector<verify::State> states = states_of(o, quantities);
   if (!o.states_out.empty()) {
     const std::string csv = verify::states_csv(quantities, states);
     if (o.states_out == "-") {
@@ -171,9 +182,10 @@ void add_verify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("verify", "Is another implementation right, and if not, what is its mistake?");
   command->add_option("--law", options->law, "Film law that it claims, or auto: find out");
   command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");
-  command->add_option("--states", options->states, "Random states beside the designed ones")
+  command->add_option("--states", options->states, "Random states beside the golden and the designed ones")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
   command->add_option("--seed", options->seed, "Seed of the random states");
+  command->add_option("--golden", options->golden, "Folder of the golden data that comes with lubjoint");
   command->add_option("--timeout", options->timeout, "Seconds that the program may take");
   command->add_option("--states-out", options->states_out, "Write the states to this file and do no more; - is stdout");
   command->add_option("--answers", options->answers,
