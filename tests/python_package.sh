@@ -12,8 +12,9 @@ fi
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 # Of a copy: setuptools leaves files in the folder that it builds from.
-mkdir "$place/source"
+mkdir -p "$place/source/data"
 cp -r "$source/pyproject.toml" "$source/lib" "$place/source"
+cp -r "$source/data/golden" "$place/source/data"
 "$python" -m venv --system-site-packages "$place/env"
 (cd "$place/source" && "$place/env/bin/pip" install -q --disable-pip-version-check --no-build-isolation .)
 shift 2

@@ -22,7 +22,6 @@ Answers from_library(Quantities quantities, std::string_view law, const std::vec
 /// The printed polar forms in double, angles and all: as a program written from a paper would do it.
 std::array<double, most_answers> printed_forms(std::string_view law, const State& s) {
   const double distance = std::hypot(s.ex, s.ey);
-  if (s.vx == 0 && s.vy == 0 && s.omega_bearing + s.omega_journal == 0) return {};
   const bool centred = distance == 0;
   const double gamma = centred ? std::atan2(s.vy, s.vx) : std::atan2(s.ey, s.ex);
   const double epsilon = distance / s.clearance;
@@ -30,6 +29,7 @@ std::array<double, most_answers> printed_forms(std::string_view law, const State
   const double across = s.vy * std::cos(gamma) - s.vx * std::sin(gamma);
   const double attitude_rate = centred ? 0 : across / distance;
   const double a = epsilon * (s.omega_journal + s.omega_bearing - 2 * attitude_rate);
+  if (a == 0 && b == 0) return {};
   const auto terms = reports::published_terms<double>(law, epsilon, a, b);
   double radial = 0, tangential = 0;
   for (const double term : terms.radial) radial += term;
@@ -113,7 +113,7 @@ TEST_CASE("verify: a program that computes in single and prints what double prin
   CHECK(v.judgement.precision.words() == "single precision");
 }
 
-TEST_CASE("verify: states are exact in single precision, the same for a seed, and of every regime") {
+TEST_CASE("verify: states are the same for a seed and of every regime, those of its own exact in single precision") {
   for (const Quantities quantities : all_quantities) {
     const std::vector<State> states = states_to_verify(quantities, 500, 42);
     CHECK(states_csv(quantities, states) == states_csv(quantities, states_to_verify(quantities, 500, 42)));
@@ -121,6 +121,7 @@ TEST_CASE("verify: states are exact in single precision, the same for a seed, an
     std::set<Regime> regimes;
     for (const State& state : states) {
       regimes.insert(regime_of(quantities, state));
+      if (state.golden) continue;
       for (const StateColumn& column : state_columns(quantities)) {
         CHECK(is_single(state.*column.value));
       }

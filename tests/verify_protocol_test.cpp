@@ -104,7 +104,7 @@ TEST_CASE("verify: what can't be judged ends with status 2 and says why") {
   refused(spoiled("{ gsub(/,/, \";\"); print }"), "column \"id\" is missing");
   refused(spoiled("NR > 1 { print }"), "is missing");
   refused(spoiled("NR == 20 { $2 = \"oops\" } { print $1 \",\" $2 \",\" $3 }"), "fx is \"oops\"");
-  refused(spoiled("NR == 20 { $2 = \"nan\" } { print $1 \",\" $2 \",\" $3 }"), "1 of 318 answers are not numbers");
+  refused(spoiled("NR == 20 { $2 = \"nan\" } { print $1 \",\" $2 \",\" $3 }"), "1 of 405 answers are not numbers");
   refused(spoiled("BEGIN { exit 3 }"), "ended with status 3");
   const std::string verify = "\"$LUBJOINT\" verify --law short_full ";
   refused(shell(verify + "-- sh -c 'echo the reason >&2; kill -SEGV $$'"), "signal 11");

@@ -1,4 +1,4 @@
-"""Build backend: setuptools, with the two shared libraries built by CMake beforehand.
+"""Build backend: setuptools, with the two shared libraries built by CMake beforehand, and the golden data.
 
 LUBJOINT_BUILT names a folder in which CMake has built them already.
 """
@@ -44,9 +44,15 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 library = pathlib.Path(folder) / place / f"lib{target}.so"
                 copies.append(_package / library.name)
                 shutil.copy(library, copies[-1])
+            for table in (_source / "data" / "golden").glob("*.csv"):
+                copies.append(_package / "golden" / table.name)
+                copies[-1].parent.mkdir(exist_ok=True)
+                shutil.copy(table, copies[-1])
             platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
             settings = {"--build-option": [f"--plat-name={platform}"]}  # shared libraries run on one platform only
             return build_meta.build_wheel(wheel_directory, settings, metadata_directory)
         finally:
             for copy in copies:
                 copy.unlink(missing_ok=True)
+            if (_package / "golden").exists():
+                (_package / "golden").rmdir()

@@ -37,7 +37,7 @@ struct BenchTable {
 };
 
 void bench_laws(const BenchOptions& options) {
-  const auto bench = reports::time_laws(std::filesystem::path(LUBJOINT_GOLDEN) / "film_force.csv", options.quick);
+  const auto bench = reports::time_laws(std::filesystem::path(golden_folder()) / "film_force.csv", options.quick);
   std::cout << reports::law_bench_table(bench);
   options.save("bench-laws.csv", reports::law_bench_csv(bench));
   options.save("bench-batch.csv", reports::batch_csv(bench));
@@ -118,7 +118,7 @@ int run_bench(BenchOptions options) {
   require_tables(options);
   if (options.scenes.empty()) {
     for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
-      options.scenes.push_back(load_scene(std::filesystem::path(LUBJOINT_SCENES) / (std::string(name) + ".toml")));
+      options.scenes.push_back(load_scene(std::filesystem::path(scenes_folder()) / (std::string(name) + ".toml")));
     }
   }
   if (options.out) reports::prepare_folder(*options.out);

@@ -13,7 +13,7 @@ namespace lubjoint::cli {
 void add_reproduce(CLI::App& app, Action& action) {
   struct Options {
     std::string out = "out/reproduce";
-    std::string scenes = LUBJOINT_SCENES;
+    std::string scenes = scenes_folder();
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; table and plots");

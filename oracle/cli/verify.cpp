@@ -1,18 +1,15 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/law_list.hpp"
-#include "lubjoint/scene/scene_file.hpp"
-#include "lubjoint/scene/simulate.hpp"
-#include "oracle/cli/command.hpp"
+#include "oracle/cli/scene_options.hpp"
 #include "oracle/reports/files.hpp"
-#include "oracle/reports/journal_report.hpp"
+#include "oracle/reports/golden_files.hpp"
+#include "oracle/reports/progress.hpp"
 #include "oracle/verify/foreign_program.hpp"
 #include "oracle/verify/report.hpp"
-#include "oracle/verify/trajectory.hpp"
+#include "oracle/verify/scene_suspects.hpp"
+#include "oracle/verify/trajectory_report.hpp"
 
 namespace lubjoint::cli {
 
@@ -23,6 +20,7 @@ struct VerifyOptions {
   std::string quantities = "cartesian";
   std::size_t states = 1000;
   std::uint64_t seed = 1;
+  std::string golden = golden_folder();
   double timeout = 60;
   std::string states_out;
   std::string answers;
@@ -66,53 +64,28 @@ int report(const verify::Verification& result, bool json) {
   return 2;
 }
 
-/// A trajectory against the scene's own, integrated with tolerances far below what is asked for.
+/// A trajectory against our own run of its scene.
 int verify_trajectory(const VerifyOptions& o) {
   if (o.scene.empty() || o.trajectory.empty()) {
     throw std::invalid_argument("--scene and --trajectory go together; one of them is missing");
   }
-  require_option("--tolerance", o.tolerance, o.tolerance > 0, "a distance in clearances above 0");
-  Scene scene = load_scene(o.scene);
-  if (!o.law.empty()) {
-    require_film_law(o.law);
-    for (SceneJoint& joint : scene.joints) joint.film = o.law;
-  }
-  scene.run.relative_tolerance = scene.run.absolute_tolerance = std::clamp(1e-7 * o.tolerance, 1e-12, 1e-10);
+  require_option("--tolerance", o.tolerance, o.tolerance >= 1e-6 && o.tolerance <= 0.1, "a number from 1e-6 to 0.1");
+  SceneOptions options;
+  options.file = o.scene;
+  if (!o.law.empty()) options.law = o.law;
+  const Scene scene = options.load();
   const std::string given = reports::read_input(o.trajectory);
-  const JournalTrajectory run = simulate_journal(scene);
-  const std::string reference = reports::trajectory_csv(scene, run);
-  bool agrees = true;
-  nlohmann::json joints = nlohmann::json::array();
-  for (const SceneJoint& joint : scene.joints) {
-    const verify::PathComparison c =
-        verify::compare_paths(verify::read_path(reference, "reference", joint.name, joint.clearance),
-                              verify::read_path(given, o.trajectory, joint.name, joint.clearance));
-    agrees = agrees && c.agrees(o.tolerance);
-    joints.push_back({{"name", joint.name},
-                      {"agrees", c.agrees(o.tolerance)},
-                      {"times", c.times},
-                      {"worst_clearances", c.worst},
-                      {"worst_time", c.worst_time},
-                      {"mean_clearances", c.mean},
-                      {"force_error", c.force},
-                      {"delay", c.delay},
-                      {"amplitude", c.amplitude},
-                      {"words", c.agrees(o.tolerance) ? "" : c.words()}});
-    if (o.json) continue;
-    std::cout << fmt::format(
-        "{}: {}: journal within {:.2g} clearances (at {:.4g} s; allowed {:.2g}), mean {:.2g}, force within {:.3g} N, "
-        "at "
-        "{} times\n",
-        joint.name, c.agrees(o.tolerance) ? "agrees" : "disagrees", c.worst, c.worst_time, o.tolerance, c.mean, c.force,
-        c.times);
-    if (!c.agrees(o.tolerance)) std::cout << "  " << c.words() << '\n';
-  }
+  const verify::SceneReference reference = verify::scene_reference(scene, o.tolerance);
+  const auto golden = verify::golden_agreement(reference, scenes_folder(), o.golden);
+  reports::ProgressBar bar("looking for the mistake", verify::runs_of_search(scene));
+  const auto result = verify::verify_trajectory(reference, given, o.trajectory == "-" ? "standard input" : o.trajectory,
+                                                [&] { bar.advance(); });
   if (o.json) {
-    const nlohmann::json report = {
-        {"verdict", agrees ? "agrees" : "disagrees"}, {"scene", scene.name}, {"joints", joints}};
-    std::cout << report.dump(2) << '\n';
+    std::cout << verify::json_report(result, golden).dump(2) << '\n';
+  } else {
+    std::cout << verify::text_report(result, golden);
   }
-  return agrees ? 0 : 1;
+  return result.agrees() ? 0 : 1;
 }
 
 /// Says why something could not be judged.
@@ -123,6 +96,15 @@ int refuse(const VerifyOptions& o, const verify::UnjudgedError& error) {
   }
   std::cerr << "lubjoint: could not be judged: " << error.what() << '\n';
   return 2;
+}
+
+/// The states to ask about. Golden data that were cut off or changed would judge a right program to be wrong.
+std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities quantities) {
+  if (const auto differences = reports::manifest_differences(o.golden); !differences.empty()) {
+    throw std::invalid_argument("golden data in \"" + o.golden + "\": " + differences.front().text() +
+                                "; allowed is the folder data/golden that comes with lubjoint, as it came");
+  }
+  return verify::states_to_verify(quantities, o.golden, o.states, o.seed);
 }
 
 int run(const VerifyOptions& o) {
@@ -139,7 +121,7 @@ int run(const VerifyOptions& o) {
   }
   check(o);
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
-  std::vector<verify::State> states = verify::states_to_verify(quantities, o.states, o.seed);
+  std::vector<verify::State> states = states_of(o, quantities);
   if (!o.states_out.empty()) {
     const std::string csv = verify::states_csv(quantities, states);
     if (o.states_out == "-") {
@@ -169,18 +151,22 @@ int run(const VerifyOptions& o) {
 void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", "Is another implementation right, and if not, what is its mistake?");
-  command->add_option("--law", options->law, "Film law that it claims, or auto: find out");
+  command->add_option("--law", options->law,
+                      "Film law that it claims, or auto: find out; with --scene, in place of the scene's");
   command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");
-  command->add_option("--states", options->states, "Random states beside the designed ones")
+  command->add_option("--states", options->states, "Random states beside the golden and the designed ones")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
   command->add_option("--seed", options->seed, "Seed of the random states");
+  command->add_option("--golden", options->golden, "Folder of the golden data that comes with lubjoint");
   command->add_option("--timeout", options->timeout, "Seconds that the program may take");
   command->add_option("--states-out", options->states_out, "Write the states to this file and do no more; - is stdout");
   command->add_option("--answers", options->answers,
                       "Judge the answers in this file; --quantities, --states and --seed as for --states-out");
   command->add_option("--scene", options->scene, "Scene file whose trajectory is judged, with --trajectory");
-  command->add_option("--trajectory", options->trajectory, "CSV with t, JOINT.ex, JOINT.ey [m] and JOINT.fx, JOINT.fy");
-  command->add_option("--tolerance", options->tolerance, "Of a trajectory [clearances]");
+  command->add_option("--trajectory", options->trajectory,
+                      "CSV with t and any columns of those that simulate --out writes; - is stdin");
+  command->add_option("--tolerance", options->tolerance,
+                      "Of a trajectory: places in clearances, the rest in its largest value");
   command->add_flag("--list-mistakes", options->list_mistakes, "Describe the known mistakes and do no more");
   command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
   command->add_flag("--json", options->json, "One JSON object");

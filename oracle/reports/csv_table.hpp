@@ -24,6 +24,7 @@ class CsvTable {
 
   std::size_t rows() const { return rows_.size(); }
   const std::string& header() const { return header_line_; }
+  const std::vector<std::string>& columns() const { return columns_; }
   /// A row as it was given, without its line end.
   const std::string& line(std::size_t row) const { return rows_[row].text; }
 

@@ -30,7 +30,7 @@ struct Sample {
 Sample sample_of(const Judgement& judgement, std::size_t most_failing, std::size_t most_passing) {
   std::vector<std::size_t> passing;
   for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
-    if (judgement.comparisons[i].excess <= 1) passing.push_back(i);
+    if (judgement.comparisons[i].passes()) passing.push_back(i);
   }
   Sample sample{thinned(judgement.failing, most_failing), 0};
   sample.failing = sample.states.size();
@@ -183,8 +183,9 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
     double failing = 0, passing = 0;
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Solution s = solve(judgement.quantities, judgement.law, states[i]);
-      if ((s.answer[0] == 0 && s.answer[1] == 0) || !selects(s)) continue;
-      (judgement.comparisons[i].excess > 1 ? failing : passing) += 1;
+      const Comparison& c = judgement.comparisons[i];
+      if (c.left_out || (s.answer[0] == 0 && s.answer[1] == 0) || !selects(s)) continue;
+      (c.fails() ? failing : passing) += 1;
     }
     return std::array<double, 2>{failing, passing};
   };
@@ -220,8 +221,9 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
       pattern.facts.push_back(fmt::format("{} is {:.8g} times what it should be", names[k], high));
     }
   }
-  pattern.facts.push_back(percent(static_cast<double>(judgement.failing.size()) / static_cast<double>(states.size())) +
-                          " of the states fail");
+  pattern.facts.push_back(
+      percent(static_cast<double>(judgement.failing.size()) / static_cast<double>(judgement.judged())) +
+      " of the states fail");
   return pattern;
 }
 

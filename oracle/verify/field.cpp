@@ -10,6 +10,12 @@ namespace {
 
 const Real pi_ = pi<Real>();
 
+/// 1 + ε cosθ without cancellation at the thinnest film.
+Real thickness(const Solution& s, Real theta) {
+  const Real half_cosine = std::cos(theta / 2);
+  return s.ratio_gap + 2 * s.ratio * half_cosine * half_cosine;
+}
+
 /// Long film, p(0) = 0, over 6μ(R/c)² (Flores et al. 2009, eq. 5): wedge and squeeze part.
 struct LongField {
   Real wedge;
@@ -17,9 +23,31 @@ struct LongField {
 };
 
 LongField long_field(const Solution& s, Real theta) {
-  const Real e = s.ratio, cosine = std::cos(theta), h = 1 + e * cosine, widest = 1 + e;
+  const Real e = s.ratio, cosine = std::cos(theta), h = thickness(s, theta), widest = 1 + e;
   return {s.a * std::sin(theta) * (2 + e * cosine) / (s.d() * h * h),
           s.b * (1 - cosine) * (2 + e + e * cosine) / (h * h * widest * widest)};
+}
+
+/// ∫(1 − cos u) du and ∫(1 − cos u)² du from 0 to ψ; of third and fifth order where ψ is small.
+struct CosineGaps {
+  Real first;
+  Real second;
+};
+
+CosineGaps cosine_gaps(Real psi) {
+  if (std::abs(psi) > 1) {
+    return {psi - std::sin(psi), 1.5L * psi - 2 * std::sin(psi) + std::sin(2 * psi) / 4};
+  }
+  // Σ (−1)^{n+1} ψ^{2n+1}/(2n+1)! and Σ (−1)^n (2^{2n−1} − 2) ψ^{2n+1}/(2n+1)!
+  CosineGaps sum{0, 0};
+  Real power = -psi, fours = 0.5L;
+  for (int n = 1; n <= 16; ++n) {
+    power *= -psi * psi / static_cast<Real>(2 * n * (2 * n + 1));
+    fours *= 4;
+    sum.first += power;
+    sum.second -= (fours - 2) * power;
+  }
+  return sum;
 }
 
 /// ∫ dθ/H³ from 0 by Sommerfeld's angle ψ, tan(ψ/2) = √((1−ε)/(1+ε)) tan(θ/2), continuous over all turns.
@@ -28,9 +56,10 @@ Real flow_integral(const Solution& s, Real theta) {
   const Real half = (theta - 2 * pi_ * turns) / 2;
   const Real psi = 2 * pi_ * turns +
                    2 * std::atan2(std::sqrt(s.ratio_gap) * std::sin(half), std::sqrt(1 + s.ratio) * std::cos(half));
-  const Real e = s.ratio, q = s.q();
-  const Real sum = psi * (1 + e * e / 2) - 2 * e * std::sin(psi) + e * e / 4 * std::sin(2 * psi);
-  return sum / (q * q * std::sqrt(q));
+  // ∫(1 − ε cos u)² du = ∫((1 − ε) + ε(1 − cos u))² du: no term is negative.
+  const Real e = s.ratio, gap = s.ratio_gap, q = s.q();
+  const CosineGaps gaps = cosine_gaps(psi);
+  return (gap * gap * psi + 2 * e * gap * gaps.first + e * e * gaps.second) / (q * q * std::sqrt(q));
 }
 
 }  // namespace
@@ -58,7 +87,7 @@ void find_pressure(Solution& s) {
   const bool in_film = is_full(s.law) || inside <= s.theta_e - s.theta_s;
   const Real theta = s.theta_s + inside;
   if (is_short(s.law)) {
-    const Real h = 1 + s.ratio * std::cos(theta), half = s.length / 2;
+    const Real h = thickness(s, theta), half = s.length / 2;
     const Real scale = 3 * s.viscosity / (s.clearance * s.clearance * h * h * h) * (half - s.z) * (half + s.z);
     const Real wedge = s.a * std::sin(theta), squeeze = -2 * s.b * std::cos(theta);
     s.pressure = in_film ? scale * (wedge + squeeze) : 0;

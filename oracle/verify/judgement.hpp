@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "oracle/verify/answers.hpp"
+#include "oracle/verify/golden_states.hpp"
 #include "oracle/verify/solution.hpp"
 #include "oracle/verify/states.hpp"
 
@@ -17,6 +18,11 @@ struct Reference {
   std::array<double, most_answers> sensitivity;
   std::array<double, most_answers> size;  ///< |F|, or |F| times the arm: what agreement in digits is relative to
   Regime regime;
+  const GoldenAnswers::Row* golden = nullptr;  ///< where `expected` is certified; kept by the state
+  double smallest = 1, largest = 1;            ///< magnitudes of inputs and answers other than zero
+  /// |a| over the terms that it is the sum of, where the answer jumps at a = 0. No roundoff hides its sign where large.
+  double jump_margin = 1;
+  double gap = 1;  ///< 1 − ε of the film, where it matters
 };
 
 std::vector<Reference> references(Quantities quantities, Law law, const std::vector<State>& states);
@@ -28,6 +34,9 @@ struct Precision {
   std::string words() const;
   /// Largest error of number k that rounding explains.
   double tolerance(const Reference& reference, std::size_t k) const;
+  /// False for a golden state at which the rounding of the inputs leaves nothing to judge, or whose numbers are beyond
+  /// what can be multiplied in this arithmetic. The other states are made so that there is always something.
+  bool decides(const Reference& reference) const;
 };
 
 /// The precision in which the program works, from its answers: single where every number is one of single precision,
@@ -40,6 +49,10 @@ struct Comparison {
   double excess;  ///< largest error over its tolerance; above 1 fails, infinite for NaN
   double digits;  ///< of agreement, of the worst number; at most 17
   bool not_a_number;
+  bool left_out = false;  ///< this precision does not decide the state
+
+  bool passes() const { return !left_out && excess <= 1; }
+  bool fails() const { return !left_out && !(excess <= 1); }
 };
 
 std::vector<Comparison> compare(const std::vector<Reference>& references, const Answers& answers, std::size_t columns,
@@ -63,9 +76,11 @@ struct Judgement {
   std::vector<Comparison> comparisons;
   std::vector<RegimeResult> regimes;  ///< those that have states
   std::vector<std::size_t> failing;
+  std::size_t left_out = 0;  ///< states that this precision does not decide
   std::size_t not_numbers = 0;
   std::optional<std::size_t> worst;  ///< of the failing ones, by error over tolerance; numbers before NaN
 
+  std::size_t judged() const { return comparisons.size() - left_out; }
   bool agrees() const { return failing.empty(); }
   /// Some answers are no numbers, and those that are agree.
   bool unjudged() const { return not_numbers > 0 && not_numbers == failing.size(); }

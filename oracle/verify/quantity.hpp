@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ constexpr bool is_polar(Quantities q) {
 /// @throws std::invalid_argument that lists what there is
 Quantities quantities_of(std::string_view name);
 std::string_view name_of(Quantities quantities);
+
+struct GoldenAnswers;
 
 /// Everything that a state may say; a kind of quantities uses some of it. SI units, angles in radians.
 struct State {
@@ -51,8 +54,9 @@ struct State {
   double contact_stiffness = 0;
   double restitution = 0;
   double impact_speed = 0;
-  double theta = 0;  ///< from the maximum film, counter-clockwise
-  double z = 0;      ///< axial, from the middle
+  double theta = 0;                             ///< from the maximum film, counter-clockwise
+  double z = 0;                                 ///< axial, from the middle
+  std::shared_ptr<const GoldenAnswers> golden;  ///< certified answers, where there are some
 };
 
 /// One column of the states.

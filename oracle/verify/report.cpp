@@ -33,7 +33,7 @@ std::string compared_numbers(const Verification& v, std::size_t i) {
 
 std::string headline(const Verification& v) {
   const std::string law(name_of(v.judgement.law));
-  const std::size_t all = v.states.size();
+  const std::size_t all = v.judgement.judged();
   const std::size_t failing = v.judgement.failing.size();
   const std::string found = v.law_was_found ? " (found among all laws)" : "";
   switch (v.verdict()) {
@@ -51,6 +51,12 @@ std::string headline(const Verification& v) {
       failing, all, law, found);
 }
 
+/// Where an expected answer is certified.
+std::string golden_place(const Verification& v, std::size_t i) {
+  const GoldenAnswers::Row* row = v.judgement.references[i].golden;
+  return row ? fmt::format("; certified: {}, line {}", v.states[i].golden->file, row->line) : "";
+}
+
 std::string regime_table(const Judgement& judgement) {
   std::string text =
       fmt::format("\n{:<16}{:>8}{:>9}{:>15}{:>15}\n", "regime", "states", "failing", "digits, worst", "digits, median");
@@ -58,6 +64,10 @@ std::string regime_table(const Judgement& judgement) {
     fmt::format_to(std::back_inserter(text), "{:<16}{:>8}{:>9}{:>15.1f}{:>15.1f}\n",
                    regime_names[static_cast<std::size_t>(r.regime)], r.states, r.failing, r.worst_digits,
                    r.median_digits);
+  }
+  if (judgement.left_out > 0) {
+    fmt::format_to(std::back_inserter(text), "{} golden states can't be decided in {} and are left out.\n",
+                   judgement.left_out, judgement.precision.words());
   }
   return text;
 }
@@ -109,7 +119,12 @@ nlohmann::json state_json(const Verification& v, std::size_t i) {
     received[name] = std::isnan(given) ? nlohmann::json() : nlohmann::json(given);
     tolerance[name] = v.judgement.precision.tolerance(v.judgement.references[i], k);
   }
-  return {{"id", i + 1}, {"inputs", inputs}, {"expected", expected}, {"received", received}, {"tolerance", tolerance}};
+  nlohmann::json certified;
+  if (const GoldenAnswers::Row* row = v.judgement.references[i].golden) {
+    certified = {{"file", v.states[i].golden->file}, {"line", row->line}};
+  }
+  return {{"id", i + 1},          {"inputs", inputs},       {"expected", expected},
+          {"received", received}, {"tolerance", tolerance}, {"certified", certified}};
 }
 
 bool has_answers(Quantities quantities, Law law) {
@@ -158,7 +173,7 @@ Verification verify_answers(Quantities quantities, const std::string& law, std::
       // Two mistakes explain less than one that does as much.
       score = std::max(score, (s.share - s.contradicted) * (s.mistakes.size() == 1 ? 1 : 0.9));
     }
-    score += 1e-3 * (1 - static_cast<double>(judged[i].failing.size()) / static_cast<double>(states.size()));
+    score += 1e-3 * (1 - static_cast<double>(judged[i].failing.size()) / static_cast<double>(judged[i].judged()));
     if (score <= best_score) continue;
     best_score = score;
     best = std::move(diagnosis);
@@ -171,8 +186,8 @@ std::string text_report(const Verification& v) {
   std::string text = headline(v) + '\n' + regime_table(v.judgement);
   if (v.judgement.worst) {
     const std::size_t i = *v.judgement.worst;
-    fmt::format_to(std::back_inserter(text), "\nWorst state ({}):\n{}\n{}\n{}",
-                   regime_names[static_cast<std::size_t>(v.judgement.references[i].regime)],
+    fmt::format_to(std::back_inserter(text), "\nWorst state ({}{}):\n{}\n{}\n{}",
+                   regime_names[static_cast<std::size_t>(v.judgement.references[i].regime)], golden_place(v, i),
                    state_header(v.judgement.quantities), state_row(v.judgement.quantities, v.states[i], i + 1),
                    compared_numbers(v, i));
   }
@@ -190,7 +205,8 @@ nlohmann::json json_report(const Verification& v) {
                            {"law", std::string(name_of(v.judgement.law))},
                            {"quantities", std::string(name_of(v.judgement.quantities))},
                            {"precision", v.judgement.precision.words()},
-                           {"states", v.states.size()},
+                           {"states", v.judgement.judged()},
+                           {"left_out", v.judgement.left_out},
                            {"failing", v.judgement.failing.size()},
                            {"not_numbers", v.judgement.not_numbers},
                            {"regimes", nlohmann::json::array()},

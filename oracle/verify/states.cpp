@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "oracle/verify/golden_states.hpp"
 #include "oracle/verify/single_precision.hpp"
 #include "oracle/verify/solution.hpp"
 
@@ -150,8 +151,10 @@ std::vector<State> designed_states(Quantities quantities) {
   return states;
 }
 
-std::vector<State> states_to_verify(Quantities quantities, std::size_t random, std::uint64_t seed) {
-  std::vector<State> states = designed_states(quantities);
+std::vector<State> states_to_verify(Quantities quantities, const std::filesystem::path& golden, std::size_t random,
+                                    std::uint64_t seed) {
+  std::vector<State> states = golden_states(quantities, golden);
+  for (State& state : designed_states(quantities)) states.push_back(std::move(state));
   Draw draw(seed);
   const std::size_t all = states.size() + random;
   while (states.size() < all) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +23,10 @@ Regime regime_of(Quantities quantities, const State& state);
 /// states. Where a film jumps (a = 0 with the half films), a is zero in any order of operations, or far from zero.
 std::vector<State> designed_states(Quantities quantities);
 
-/// The designed states and as many seeded random ones; the same on every machine.
-std::vector<State> states_to_verify(Quantities quantities, std::size_t random, std::uint64_t seed);
+/// The golden states, the designed ones, and as many seeded random ones; the same on every machine.
+/// @param golden  folder of the golden data
+/// @throws std::invalid_argument if the golden data can't be read
+std::vector<State> states_to_verify(Quantities quantities, const std::filesystem::path& golden, std::size_t random,
+                                    std::uint64_t seed);
 
 }  // namespace lubjoint::verify

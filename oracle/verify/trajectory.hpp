@@ -1,42 +1,54 @@
-/// Comparison of a journal's path with a reference path.
+/// Trajectories as tables, and curves through their rows.
 #pragma once
 
+#include <boost/math/interpolators/makima.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace lubjoint::verify {
 
-/// A journal's path at increasing times: eccentricity in clearances, force on the journal [N].
-struct Path {
+/// Numbers over increasing times [s].
+struct Trajectory {
+  std::string name;  ///< for messages
   std::vector<double> t;
-  std::vector<double> ex, ey;
-  std::vector<double> fx, fy;  ///< empty where they are not given
+  std::map<std::string, std::vector<double>> columns;  ///< without t
+  std::vector<std::string> not_read;                   ///< columns that were there and not known, in their order
+
+  bool has(const std::string& column) const { return columns.contains(column); }
 };
 
-/// Reads the columns t, JOINT.ex, JOINT.ey and, if wanted and there, JOINT.fx, JOINT.fy.
-/// @throws UnjudgedError for a missing column, a field that is no number, times that don't increase, under five rows
-Path read_path(std::string_view csv, const std::string& name, const std::string& joint, double clearance);
+/// Reads the column t and all others, or those that `known` has.
+/// @throws UnjudgedError for no column t, a field that is no finite number, times that don't increase, under five rows
+Trajectory read_trajectory(std::string_view csv, const std::string& name, const Trajectory* known = nullptr);
 
-/// How far a path is from the reference, at the reference's times within the path's; the path between its own times is
-/// interpolated by piecewise cubics (modified Akima).
-struct PathComparison {
-  std::size_t times = 0;
-  double worst = 0;       ///< largest distance between the centres [clearances]
-  double worst_time = 0;  ///< [s]
-  double mean = 0;        ///< root mean square of the distance [clearances]
-  double force = 0;       ///< largest difference of the forces [N]; 0 if none are given
-  double delay = 0;       ///< by which the path is late where that fits best [s], at most a tenth of the duration
-  double mean_without_delay = 0;
-  double amplitude = 1;  ///< factor of the path about the reference's mean that fits best
-  double mean_without_amplitude = 0;
+/// A vector, or one number, over time.
+struct Samples {
+  std::vector<double> t;
+  std::vector<std::vector<double>> x;  ///< one list a component
 
-  bool agrees(double tolerance) const { return worst <= tolerance; }
-  /// One sentence: a phase shift, an amplitude error, or neither alone.
-  std::string words() const;
+  std::size_t components() const { return x.size(); }
 };
 
-/// @throws UnjudgedError if the path covers less than half of the reference's duration
-PathComparison compare_paths(const Path& reference, const Path& path);
+/// Every `stride`-th sample, and the last.
+Samples thinned(const Samples& samples, std::size_t stride);
+
+/// Piecewise cubics through samples (modified Akima): exact at the samples, no overshoot beside a jump.
+class Curves {
+ public:
+  /// @param samples  at least four, at increasing times
+  explicit Curves(const Samples& samples);
+
+  double first() const { return first_; }
+  double last() const { return last_; }
+  /// Component k at a time from first() to last().
+  double operator()(std::size_t k, double t) const { return curves_[k](t); }
+
+ private:
+  double first_;
+  double last_;
+  std::vector<boost::math::interpolators::makima<std::vector<double>>> curves_;
+};
 
 }  // namespace lubjoint::verify

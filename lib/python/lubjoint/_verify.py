@@ -9,15 +9,21 @@ import numpy
 _library = ctypes.CDLL(os.path.join(os.path.dirname(__file__), "liblubjoint_verify_c.so"))
 _name = ctypes.c_char_p
 _size = ctypes.c_size_t
-_seed = ctypes.c_uint64
+
+
+class _Request(ctypes.Structure):
+    _fields_ = [("quantities", _name), ("golden", _name), ("random", _size), ("seed", ctypes.c_uint64)]
+
+
+_request = ctypes.POINTER(_Request)
 _library.lubjoint_verify_message.restype = _name
 _library.lubjoint_verify_state_columns.restype = _name
 _library.lubjoint_verify_state_columns.argtypes = [_name]
 _library.lubjoint_verify_answer_columns.restype = _name
 _library.lubjoint_verify_answer_columns.argtypes = [_name]
-_library.lubjoint_verify_count.argtypes = [_name, _size, _seed, ctypes.POINTER(_size)]
-_library.lubjoint_verify_states.argtypes = [_name, _size, _seed, ctypes.c_void_p]
-_library.lubjoint_verify_judge.argtypes = [_name, _name, _size, _seed, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int),
+_library.lubjoint_verify_count.argtypes = [_request, ctypes.POINTER(_size)]
+_library.lubjoint_verify_states.argtypes = [_request, ctypes.c_void_p]
+_library.lubjoint_verify_judge.argtypes = [_name, _request, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int),
                                            ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p)]
 _library.lubjoint_verify_free.argtypes = [ctypes.c_void_p]
 
@@ -25,6 +31,11 @@ _library.lubjoint_verify_free.argtypes = [ctypes.c_void_p]
 def _check(status):
     if status != 0:
         raise ValueError(_library.lubjoint_verify_message().decode())
+
+
+def _asked(quantities, random, seed):
+    golden = os.path.join(os.path.dirname(__file__), "golden")
+    return _Request(quantities.encode(), os.fsencode(golden), random, seed)
 
 
 def _columns(function, quantities):
@@ -52,12 +63,13 @@ class Report(dict):
 
 
 def states(quantities="cartesian", random=1000, seed=1):
-    """The states that functions are asked about, as a dictionary of arrays."""
+    """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones."""
     names = _columns(_library.lubjoint_verify_state_columns, quantities)
+    asked = _asked(quantities, random, seed)
     count = _size()
-    _check(_library.lubjoint_verify_count(quantities.encode(), random, seed, count))
+    _check(_library.lubjoint_verify_count(asked, count))
     table = numpy.empty((len(names), count.value))
-    _check(_library.lubjoint_verify_states(quantities.encode(), random, seed, table.ctypes.data))
+    _check(_library.lubjoint_verify_states(asked, table.ctypes.data))
     return dict(zip(names, table))
 
 
@@ -88,7 +100,7 @@ def verify(function, law="auto", quantities="cartesian", random=1000, seed=1, ve
     verdict = ctypes.c_int()
     text = ctypes.c_void_p()
     content = ctypes.c_void_p()
-    _check(_library.lubjoint_verify_judge(law.encode(), quantities.encode(), random, seed, answers.ctypes.data, verdict,
+    _check(_library.lubjoint_verify_judge(law.encode(), _asked(quantities, random, seed), answers.ctypes.data, verdict,
                                           text, content))
     try:
         return Report(json.loads(ctypes.string_at(content)), ctypes.string_at(text).decode())

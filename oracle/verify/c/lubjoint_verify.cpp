@@ -39,6 +39,12 @@ Quantities named(const char* quantities) {
   return quantities_of(quantities);
 }
 
+std::vector<State> asked(const lubjoint_verify_request* request) {
+  if (request == nullptr) throw std::invalid_argument("request is a null pointer");
+  if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
+  return states_to_verify(named(request->quantities), request->golden, request->random, request->seed);
+}
+
 template <class Names>
 const char* joined(std::map<Quantities, std::string>& kept, const char* quantities, const Names& names) noexcept {
   const char* result = nullptr;
@@ -78,32 +84,31 @@ const char* lubjoint_verify_answer_columns(const char* quantities) {
   return joined(kept, quantities, [](Quantities kind) { return answer_columns(kind); });
 }
 
-int lubjoint_verify_count(const char* quantities, size_t random, uint64_t, size_t* count) {
+int lubjoint_verify_count(const lubjoint_verify_request* request, size_t* count) {
   return guarded([&] {
     if (count == nullptr) throw std::invalid_argument("count is a null pointer");
-    *count = designed_states(named(quantities)).size() + random;
+    *count = asked(request).size();
   });
 }
 
-int lubjoint_verify_states(const char* quantities, size_t random, uint64_t seed, double* out) {
+int lubjoint_verify_states(const lubjoint_verify_request* request, double* out) {
   return guarded([&] {
     if (out == nullptr) throw std::invalid_argument("out is a null pointer");
-    const Quantities kind = named(quantities);
-    const std::vector<State> states = states_to_verify(kind, random, seed);
-    for (const StateColumn& column : state_columns(kind)) {
+    const std::vector<State> states = asked(request);
+    for (const StateColumn& column : state_columns(named(request->quantities))) {
       for (const State& state : states) *out++ = state.*column.value;
     }
   });
 }
 
-int lubjoint_verify_judge(const char* law, const char* quantities, size_t random, uint64_t seed, const double* answers,
-                          int* verdict, char** text, char** json) {
+int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request, const double* answers, int* verdict,
+                          char** text, char** json) {
   return guarded([&] {
     if (law == nullptr) throw std::invalid_argument("law is a null pointer");
     if (answers == nullptr) throw std::invalid_argument("answers is a null pointer");
     if (verdict == nullptr) throw std::invalid_argument("verdict is a null pointer");
-    const Quantities kind = named(quantities);
-    std::vector<State> states = states_to_verify(kind, random, seed);
+    std::vector<State> states = asked(request);
+    const Quantities kind = named(request->quantities);
     const std::size_t columns = answer_columns(kind).size();
     std::vector<Answer> values(states.size(), Answer{});
     for (std::size_t k = 0; k < columns; ++k) {
