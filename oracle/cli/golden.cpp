@@ -10,7 +10,7 @@
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/journal_trajectory.hpp"
+#include "oracle/reports/trajectories/journal_trajectory.hpp"
 #include "oracle/reports/progress.hpp"
 
 namespace lubjoint::cli {
