@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
 
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/trajectories/disagreement.hpp"
 #include "oracle/reports/trajectories/journal_pass.hpp"
 
 namespace lubjoint::reports {
@@ -28,33 +27,32 @@ std::string digits_of(const Real& value, int digits) {
   return text.str();
 }
 
+/// ê, ė/c and the force at each time.
+template <class OnePass>
+TrajectoryValues<Real> values_of(const OnePass& pass) {
+  TrajectoryValues<Real> rows;
+  for (const auto& [state, force] : pass.samples) {
+    rows.push_back({state[0], state[1], state[2], state[3], force[0], force[1]});
+  }
+  return rows;
+}
+
 }  // namespace
 
 ReferenceTrajectory reference_trajectory(const std::string& law, const JournalCase& c, double tolerance) {
   const Journal journal(law, c);
   const Pass<ImplicitMethod> implicit_pass(journal, c.times, Real(tolerance));
   const Pass<ExplicitMethod> explicit_pass(journal, c.times, Real(tolerance));
+  const TrajectoryValues<Real> values = values_of(explicit_pass);
+  const std::vector<double> apart = disagreements(values, values_of(implicit_pass), {2, 2, 2});
   ReferenceTrajectory result;
-  double worst = 0;
   for (std::size_t i = 0; i < c.times.size(); ++i) {
-    const auto& one = implicit_pass.samples[i];
-    const auto& other = explicit_pass.samples[i];
-    const std::array<Real, 6> a = {one.state[0], one.state[1], one.state[2], one.state[3], one.force[0], one.force[1]};
-    const std::array<Real, 6> b = {other.state[0], other.state[1], other.state[2],
-                                   other.state[3], other.force[0], other.force[1]};
-    TrajectoryRow row{c.times[i], {}, 0};
-    for (std::size_t k = 0; k < 6; k += 2) {
-      const Real size = sqrt(b[k] * b[k] + b[k + 1] * b[k + 1]);
-      const Real apart = sqrt((a[k] - b[k]) * (a[k] - b[k]) + (a[k + 1] - b[k + 1]) * (a[k + 1] - b[k + 1]));
-      row.disagreement = std::max(row.disagreement, static_cast<double>(apart / size));
-      row.value[k] = digits_of(b[k], 15);
-      row.value[k + 1] = digits_of(b[k + 1], 15);
-    }
-    worst = std::max(worst, row.disagreement);
+    TrajectoryRow row{c.times[i], {}, apart[i]};
+    for (std::size_t k = 0; k < row.value.size(); ++k) row.value[k] = digits_of(values[i][k], 15);
     result.rows.push_back(row);
   }
   for (const auto& change : explicit_pass.changes) result.modes.push_back({digits_of(change.t, 16), change.mode});
-  result.agreed_digits = -std::log10(std::max(worst, 1e-34));
+  result.agreed_digits = agreed_digits(apart);
   return result;
 }
 
