@@ -1,28 +1,54 @@
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/mechanisms/slider_crank.hpp"
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
+#include "oracle/reports/slider_crank_scene.hpp"
 
 using namespace lubjoint;
 
+namespace {
+
+const std::filesystem::path data = std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data";
+const std::filesystem::path trajectories = data / "golden" / "trajectories";
+
+reports::CsvTable table(const std::string& name) {
+  const auto file = trajectories / (name + ".csv");
+  return {reports::read_input(file.string()), file.filename().string()};
+}
+
+/// The scenes that ship, other than those of a free journal.
+std::vector<std::filesystem::path> multibody_scenes() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(data / "scenes")) {
+    if (!is_free_journal(load_scene(entry.path()))) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
 TEST_CASE("golden trajectories: the files have their manifest's checksums") {
-  const auto folder = std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data" / "golden" / "trajectories";
-  for (const auto& difference : reports::manifest_differences(folder)) FAIL_CHECK(difference.text());
+  for (const auto& difference : reports::manifest_differences(trajectories)) FAIL_CHECK(difference.text());
 }
 
 TEST_CASE("golden trajectories: the simulator follows the reference of every law to its end") {
-  const std::filesystem::path data = std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data";
   for (const std::string_view law : film_law_names) {
     CAPTURE(law);
-    const auto file = data / "golden" / "trajectories" / ("journal-" + std::string(law) + ".csv");
-    const reports::CsvTable golden(reports::read_input(file.string()), file.string());
+    const reports::CsvTable golden = table("journal-" + std::string(law));
     Scene scene = load_scene(data / "scenes" / "journal.toml");
     scene.joints.front().film = law;
     scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-12;
@@ -44,4 +70,92 @@ TEST_CASE("golden trajectories: the simulator follows the reference of every law
       CHECK(force_error < 1e-4);  // the film's damping, 1e5 N s/m, amplifies the velocity's error
     }
   }
+}
+
+TEST_CASE("golden trajectories: every scene that ships has one, and every law of the free journal") {
+  std::set<std::string> expected;
+  for (const auto& file : multibody_scenes()) expected.insert(file.stem().string() + ".csv");
+  CHECK(expected.size() == 8);
+  for (const std::string_view law : film_law_names) expected.insert("journal-" + std::string(law) + ".csv");
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(trajectories)) {
+    if (entry.path().extension() == ".csv") found.insert(entry.path().filename().string());
+  }
+  CHECK(found == expected);
+}
+
+TEST_CASE("golden trajectories: the simulator in double follows every multibody scene's reference") {
+  // Double precision leaves 1e-13 of a clearance in coordinates of a thousand clearances, and a step's tolerance 1e-12;
+  // the film's damping makes force of velocity, and of each of its errors.
+  for (const auto& file : multibody_scenes()) {
+    CAPTURE(file.stem().string());
+    const reports::CsvTable golden = table(file.stem().string());
+    Scene scene = load_scene(file);
+    scene.energy_ledger = false;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-12;
+    scene.run.output_interval = scene.run.duration / static_cast<double>(golden.rows());
+    scene.run.stop_at_outputs = true;
+    const MultibodyTrajectory run = simulate_multibody(scene);
+    REQUIRE(run.outcome.status == RunStatus::finished);
+    REQUIRE(run.samples.size() == golden.rows() + 1);
+    // Distance of the vectors of some columns, and their largest size.
+    double position = 0, force = 0, force_size = 0, moment = 0, moment_size = 0;
+    for (std::size_t row = 0; row < golden.rows(); ++row) {
+      const MultibodySample& sample = run.samples[row + 1];
+      const auto is = [&](const std::string& column) { return golden.number(row, golden.column(column)); };
+      CHECK(sample.t == is("t"));
+      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        const std::string& name = scene.joints[j].name;
+        const Vector2<double> ratio = sample.joints[j].eccentricity / scene.joints[j].clearance;
+        position =
+            std::max(position, std::hypot(ratio.x() - is(name + ".ex_over_c"), ratio.y() - is(name + ".ey_over_c")));
+        const Vector2<double> should(is(name + ".fx"), is(name + ".fy"));
+        force = std::max(force, (sample.joints[j].force - should).norm());
+        force_size = std::max(force_size, should.norm());
+      }
+      for (std::size_t b = 0; scene.joints.empty() && b < scene.bodies.size(); ++b) {
+        const std::string& name = scene.bodies[b].name;
+        const double* q = sample.state.data() + 3 * b;
+        const double metre = 1 / 0.17;  // the mechanism's length
+        position = std::max({position, metre * std::hypot(q[0] - is(name + ".x"), q[1] - is(name + ".y")),
+                             std::abs(q[2] - is(name + ".phi"))});
+      }
+      if (!sample.driving_moments.empty()) {
+        moment = std::max(moment, std::abs(sample.driving_moments[0] - is("motor.moment")));
+        moment_size = std::max(moment_size, std::abs(is("motor.moment")));
+      }
+    }
+    WARN(file.stem().string() << " position " << position << " force " << force / force_size << " moment "
+                              << moment / moment_size);
+  }
+}
+
+TEST_CASE("golden trajectories: two methods agree on as many digits as was measured") {
+  for (const auto& entry : std::filesystem::directory_iterator(trajectories)) {
+    if (entry.path().extension() != ".csv") continue;
+    const std::string name = entry.path().stem().string();
+    const reports::CsvTable golden = table(name);
+    double worst = 0;
+    for (std::size_t row = 0; row < golden.rows(); ++row) {
+      worst = std::max(worst, golden.number(row, golden.column("disagreement")));
+    }
+    WARN(name << " " << worst);
+  }
+}
+
+TEST_CASE("golden trajectories: the crank under a constant moment is where energy and quadrature say") {
+  const Scene scene = load_scene(data / "scenes" / "slider-crank-torque.toml");
+  const auto m = reports::mechanism_of<long double>(scene);
+  const auto moment = static_cast<long double>(scene.loads.front().moment);
+  const reports::CsvTable golden = table("slider-crank-torque");
+  const auto integrate = [](const auto& f, long double a, long double b) {
+    return boost::math::quadrature::gauss_kronrod<long double, 61>::integrate(f, a, b, 12, 1e-17L);
+  };
+  double worst = 0;
+  for (std::size_t row = 4; row < golden.rows(); row += 19) {
+    const long double angle = golden.number(row, golden.column("crank.phi"));
+    const long double t = mechanisms::torque_driven_time(m, moment, angle, integrate);
+    worst = std::max(worst, std::abs(static_cast<double>(t / static_cast<long double>(golden.number(row, 0)) - 1)));
+  }
+  WARN(worst);
 }

@@ -5,14 +5,10 @@
 #include <iostream>
 #include <memory>
 
-#include "lubjoint/film/law_list.hpp"
-#include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/journal_trajectory.hpp"
 #include "oracle/reports/progress.hpp"
+#include "oracle/reports/trajectories/golden_trajectories.hpp"
 
 namespace lubjoint::cli {
 
@@ -46,74 +42,20 @@ int run_golden(const GoldenOptions& options) {
   return differences.empty() ? 0 : 1;
 }
 
-/// Accepts a trajectory that an earlier run has left, if it is whole.
-void require_whole(const std::filesystem::path& file, std::size_t rows) {
-  const std::string text = reports::read_input(file.string());
-  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
-  if (text.ends_with('\n') && lines == rows + 1) return;
-  throw std::invalid_argument("\"" + file.string() + "\" is cut off: " + std::to_string(lines) +
-                              " whole lines instead of " + std::to_string(rows + 1) +
-                              "; allowed is to delete it, or --fresh");
-}
-
-/// Trajectories: one file a law, each written when it is done, so that an interrupted run goes on where it was.
 int run_trajectories(const GoldenOptions& options) {
-  namespace fs = std::filesystem;
-  const Scene scene = load_scene(fs::path(scenes_folder()) / "journal.toml");
-  const SceneBody& body = scene.bodies.front();
-  const SceneJoint& joint = scene.joints.front();
-  const Vector2<double>& load = scene.loads.front().force;
-  const reports::JournalCase journal{joint.length,
-                                     joint.journal_radius,
-                                     joint.clearance,
-                                     joint.viscosity,
-                                     body.mass,
-                                     {load.x(), load.y()},
-                                     {scene.gravity.x(), scene.gravity.y()},
-                                     body.spin,
-                                     reports::reference_times(scene.run.duration)};
-  constexpr double tolerance = 1e-17;  // the two integrators then agree to about 16 digits
-  const fs::path folder = fs::path(options.out) / "trajectories";
-  if (!options.check) reports::prepare_folder(folder);
-  bool same = true;
-  for (const std::string_view law : film_law_names) {
-    const fs::path file = folder / ("journal-" + std::string(law) + ".csv");
-    if (!options.check && fs::exists(file) && !options.fresh) {
-      require_whole(file, journal.times.size());
-      std::cerr << file.string() << " is there already (--fresh makes it anew)\n";
-      continue;
-    }
-    const auto trajectory = reports::reference_trajectory(std::string(law), journal, tolerance);
-    const std::string csv = reports::trajectory_reference_csv(trajectory);
-    std::cerr << file.string() << ": two integrators agree to " << trajectory.agreed_digits << " digits\n";
-    if (!options.check) {
-      reports::write_file(file, csv);
-      continue;
-    }
-    const reports::CsvTable expected(csv, "regenerated");
-    std::vector<std::string> rows;
-    for (std::size_t i = 0; i < expected.rows(); ++i) rows.push_back(expected.line(i));
-    for (const auto& difference : reports::csv_differences(file.filename().string(), expected.header(), rows,
-                                                           reports::read_input(file.string()))) {
-      std::cout << difference.text() << '\n';
-      same = false;
-    }
-  }
+  const std::filesystem::path folder = std::filesystem::path(options.out) / "trajectories";
+  const auto trajectories = reports::golden_trajectories(scenes_folder());
+  reports::TrajectoryRun run{options.run.threads, options.fresh,
+                             [](const std::string& line) { std::cerr << line << std::endl; }};
   if (!options.check) {
-    std::vector<reports::GoldenFile> files;
-    for (const std::string_view law : film_law_names) {
-      const std::string name = "journal-" + std::string(law) + ".csv";
-      files.push_back({name, reports::read_input((folder / name).string())});
-    }
-    reports::write_file(folder / reports::golden_manifest_name, reports::golden_manifest(files));
+    reports::write_golden_trajectories(folder, trajectories, run);
+    std::cerr << "trajectories written to " << folder.string() << '\n';
     return 0;
   }
-  for (const auto& difference : reports::manifest_differences(folder)) {
-    std::cout << difference.text() << '\n';
-    same = false;
-  }
-  if (same) std::cout << folder.string() << ": every byte as regenerated\n";
-  return same ? 0 : 1;
+  const auto differences = reports::check_golden_trajectories(folder, trajectories, run);
+  for (const reports::GoldenDifference& difference : differences) std::cout << difference.text() << '\n';
+  if (differences.empty()) std::cout << folder.string() << ": every byte as regenerated\n";
+  return differences.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -132,6 +74,12 @@ void add_golden(CLI::App& app, Action& action) {
   command->add_flag("--fresh", options->fresh, "With --trajectories: also those that are there");
   command->callback([options, &action] {
     action = [options] {
+      if (options->fresh && (options->check || !options->trajectories)) {
+        throw std::invalid_argument("--fresh is for writing the trajectories; allowed is with --trajectories alone");
+      }
+      if (options->run.every > 1 && options->trajectories) {
+        throw std::invalid_argument("--every is for the certified data; allowed with --trajectories is to check all");
+      }
       if (options->run.every > 1 && !options->check) {
         throw std::invalid_argument("--every is for --check; allowed is to write all rows or none");
       }

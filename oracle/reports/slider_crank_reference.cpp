@@ -55,12 +55,32 @@ class Integration {
   R dt_ = 0;
 };
 
+/// A start (q, q̇) of all bodies as deviation from the ideal mechanism with its crank at 0.
+template <class R>
+DeviationState<R> deviation_of(const Scene& scene, const std::vector<R>& start) {
+  const auto m = mechanism_of<R>(scene);
+  const R speed(crank_speed_of(scene));
+  const R c(scene.joints.at(0).clearance);
+  const mechanisms::IdealMotion<R> ideal = mechanisms::ideal_motion<R>(m, {R(0), speed, R(0)});
+  const auto coordinate = [&](const std::string& body, std::size_t k) {
+    return 3 * static_cast<std::size_t>(&body_of(scene, body) - scene.bodies.data()) + k;
+  };
+  const std::size_t rates = 3 * scene.bodies.size();
+  const std::size_t phi = coordinate("rod", 2);
+  const std::size_t x = coordinate("slider", 0);
+  return {m.rod_length * (start.at(phi) - ideal.rod.value) / c, (start.at(x) - ideal.slider.value) / c,
+          m.rod_length * (start.at(rates + phi) - ideal.rod.rate) / (c * speed),
+          (start.at(rates + x) - ideal.slider.rate) / (c * speed)};
+}
+
 template <class Law>
-std::vector<ReferenceSample> run_with(const Scene& scene, const std::vector<double>& times, double tolerance) {
+std::vector<ReferenceSample> run_with(const Scene& scene, const std::vector<double>& times, double tolerance,
+                                      const std::vector<long double>& start) {
   using R = long double;
   const auto mechanism = lubricated_slider_crank<Law, R>(scene);
   Integration<R> integration(tolerance);
   DeviationState<R> y{0, 0, 0, 0};
+  if (!start.empty()) y = deviation_of<R>(scene, start);
   R t = 0;
   std::vector<ReferenceSample> samples;
   for (const double time : times) {
@@ -113,13 +133,28 @@ double crank_speed_of(const Scene& scene) {
   throw std::invalid_argument(scene.file + " has no driver");
 }
 
+bool has_contact(const Scene& scene) {
+  return std::any_of(scene.joints.begin(), scene.joints.end(),
+                     [](const SceneJoint& j) { return j.contact.has_value(); });
+}
+
+bool has_minimal_coordinates(const Scene& scene) {
+  if (scene.joints.size() != 1 || scene.joints[0].film != PinkusSternlicht::name || has_contact(scene)) return false;
+  try {
+    slider_crank_of(scene);
+    return crank_speed_of(scene) > 0;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 std::vector<ReferenceSample> minimal_coordinates_run(const Scene& scene, const std::vector<double>& times,
-                                                     double tolerance) {
+                                                     double tolerance, const std::vector<long double>& start) {
   require_film_law(scene.joints.at(0).film);
   if (scene.joints[0].film != PinkusSternlicht::name) {
     throw std::invalid_argument("minimal coordinates are run with pinkus_sternlicht alone");
   }
-  return run_with<PinkusSternlicht>(scene, times, tolerance);
+  return run_with<PinkusSternlicht>(scene, times, tolerance, start);
 }
 
 PeriodicOrbit periodic_orbit(const Scene& scene, const Vector2<double>& last) {

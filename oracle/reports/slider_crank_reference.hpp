@@ -23,10 +23,19 @@ mechanisms::SliderCrank<double> slider_crank_of(const Scene& scene);
 /// Speed of the scene's driver [rad/s].
 double crank_speed_of(const Scene& scene);
 
-/// The scene in minimal coordinates, in 64-bit significands by Fehlberg's 7(8): from e = 0 and the ideal velocities.
+bool has_contact(const Scene& scene);
+
+/// A slider-crank that starts extended, driven, with one Pinkus–Sternlicht film and no contact.
+bool has_minimal_coordinates(const Scene& scene);
+
+/// Tolerance of minimal coordinates where all digits of the extended precision are wanted.
+inline constexpr double extended_minimal_tolerance = 1e-16;
+
+/// The scene in minimal coordinates, in 64-bit significands by Fehlberg's 7(8).
 /// @param times  ascending, the first 0
+/// @param start  (q, q̇) of all bodies, the crank at 0; empty: e = 0 and the ideal velocities
 std::vector<ReferenceSample> minimal_coordinates_run(const Scene& scene, const std::vector<double>& times,
-                                                     double tolerance);
+                                                     double tolerance, const std::vector<long double>& start = {});
 
 /// The periodic orbit by Newton's method on the revolution map in minimal coordinates.
 /// @param last  ê at the end of a run of whole revolutions

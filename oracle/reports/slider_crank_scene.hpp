@@ -1,6 +1,8 @@
 /// What the closed form and the minimal coordinates need of a slider-crank scene.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -18,14 +20,42 @@ inline const SceneBody& body_of(const Scene& scene, const std::string& name) {
   throw std::invalid_argument(scene.file + " has no body \"" + name + "\"; allowed is a slider-crank scene");
 }
 
-/// Masses and lengths: the scene starts extended, mass centres at mid-length.
+/// Length of a body of the mechanism: between the outermost points that hold it. The mass centre is in the middle.
+template <class R>
+R length_between_joints(const Scene& scene, const SceneBody& body) {
+  R least = std::numeric_limits<R>::max();
+  R most = std::numeric_limits<R>::lowest();
+  const auto consider = [&](const SceneAnchor& anchor) {
+    if (!anchor.body || &scene.bodies[*anchor.body] != &body) return;
+    least = std::min<R>(least, R(anchor.point.x()));
+    most = std::max<R>(most, R(anchor.point.x()));
+  };
+  for (const SceneConstraint& each : scene.constraints) {
+    if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+      consider(pin->first);
+      consider(pin->second);
+    }
+  }
+  for (const SceneJoint& joint : scene.joints) {
+    consider(joint.bearing);
+    consider(joint.journal);
+  }
+  if (!(most > 0) || least != -most) {
+    throw std::invalid_argument(scene.file + ": body \"" + body.name +
+                                "\" must be held at both ends, its mass centre in the middle");
+  }
+  return R(most - least);
+}
+
+/// Masses and lengths, exactly those of the scene's numbers.
+/// @throws std::invalid_argument  a scene that is no slider-crank with mass centres at mid-length
 template <class R>
 mechanisms::SliderCrank<R> mechanism_of(const Scene& scene) {
   const SceneBody& crank = body_of(scene, "crank");
   const SceneBody& rod = body_of(scene, "rod");
   mechanisms::SliderCrank<R> m;
-  m.crank_length = 2 * R(crank.position.x());
-  m.rod_length = 2 * (R(rod.position.x()) - m.crank_length);
+  m.crank_length = length_between_joints<R>(scene, crank);
+  m.rod_length = length_between_joints<R>(scene, rod);
   m.crank_mass = R(crank.mass);
   m.crank_inertia = R(crank.inertia);
   m.rod_mass = R(rod.mass);

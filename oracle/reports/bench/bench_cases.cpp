@@ -212,22 +212,6 @@ double worst_difference(const Reference& one, const Reference& other) {
   return worst;
 }
 
-bool has_contact(const Scene& scene) {
-  return std::any_of(scene.joints.begin(), scene.joints.end(),
-                     [](const SceneJoint& j) { return j.contact.has_value(); });
-}
-
-/// A slider-crank that starts extended, driven, with one Pinkus–Sternlicht film: it has minimal coordinates.
-bool has_minimal_coordinates(const Scene& scene) {
-  if (scene.joints.size() != 1 || scene.joints[0].film != PinkusSternlicht::name || has_contact(scene)) return false;
-  try {
-    slider_crank_of(scene);
-    return crank_speed_of(scene) > 0;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<double>& times,
                                         const Reference& reference) {
   const JournalScene parts = journal_scene(scene);
@@ -265,19 +249,21 @@ BenchScene bench_scene(const Scene& scene) {
     result.cases.push_back(journal_case(scene, times, other));
     return result;
   }
-  const Reference absolute = extended_multibody_run(scene, times, ExtendedMethod::radau);
+  const ExtendedRun run = extended_multibody_run(scene, times.front(), ExtendedMethod::radau);
+  const Reference absolute = looked_at(scene, run.samples);
   Reference other;
   if (has_minimal_coordinates(scene)) {
     std::vector<double> from_start{0};
     from_start.insert(from_start.end(), times.begin(), times.end());
-    for (const ReferenceSample& sample : minimal_coordinates_run(scene, from_start, 1e-16)) {
+    for (const ReferenceSample& sample :
+         minimal_coordinates_run(scene, from_start, extended_minimal_tolerance, run.start)) {
       other.push_back(sample.eccentricity_ratio);
     }
     other.erase(other.begin());
     result.cases.push_back(std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene),
                                                          scene.run.duration, times, other));
   } else {
-    other = extended_multibody_run(scene, times, ExtendedMethod::fehlberg);
+    other = looked_at(scene, extended_multibody_run(scene, times.front(), ExtendedMethod::fehlberg).samples);
   }
   result.reference_agreement = worst_difference(absolute, other);
   if (has_contact(scene)) {

@@ -82,11 +82,11 @@ Reference extended_journal_run(const Scene& scene, const std::vector<double>& ti
   });
 }
 
-Reference extended_multibody_run(const Scene& given, const std::vector<double>& times, ExtendedMethod method) {
+ExtendedRun extended_multibody_run(const Scene& given, double output_interval, ExtendedMethod method) {
   Scene scene = given;
   scene.energy_ledger = false;
   scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance_of(method);
-  scene.run.output_interval = times.front();
+  scene.run.output_interval = output_interval;
   scene.run.stop_at_outputs = true;
   const PlanarSystem<Real> system = planar_system<Real>(scene);
   std::vector<Real> start = scene_start<Real>(scene);
@@ -100,8 +100,11 @@ Reference extended_multibody_run(const Scene& given, const std::vector<double>& 
   if (outcome.status != RunStatus::finished) {
     throw std::runtime_error(scene.name + ": the reference in extended precision " + outcome.message);
   }
+  return {start, run.recorder().samples()};
+}
+
+Reference looked_at(const Scene& scene, const std::vector<MultibodySample>& samples) {
   Reference seen;
-  const std::vector<MultibodySample>& samples = run.recorder().samples();
   for (std::size_t i = 1; i < samples.size(); ++i) {
     seen.push_back(samples[i].joints.empty()
                        ? looked_at_without_joints(scene, samples[i].state)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lubjoint/dynamics/multibody_results.hpp"
 #include "oracle/reports/bench/bench_case.hpp"
 
 namespace lubjoint::reports {
@@ -15,9 +16,18 @@ enum class ExtendedMethod { radau, fehlberg };
 /// @throws std::invalid_argument  a law with a jump; std::runtime_error if the run stops
 Reference extended_journal_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method);
 
-/// ê of the first joint of any scene; of one without joints, what looked_at_without_joints says.
+/// A run of any scene in absolute coordinates.
+struct ExtendedRun {
+  std::vector<long double> start;        ///< (q, q̇) on the constraints
+  std::vector<MultibodySample> samples;  ///< rounded to double when all is done; the first at t = 0
+};
+
+/// Every output is the end of a step: no sample is interpolated. Without energy ledger.
 /// @throws std::runtime_error if the run stops
-Reference extended_multibody_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method);
+ExtendedRun extended_multibody_run(const Scene& scene, double output_interval, ExtendedMethod method);
+
+/// ê of the first joint at every sample after the start; without joints, what looked_at_without_joints says.
+Reference looked_at(const Scene& scene, const std::vector<MultibodySample>& samples);
 
 /// The last body's position over the scene's unit of length: what stands for an eccentricity where no joint is.
 Vector2<double> looked_at_without_joints(const Scene& scene, const std::vector<double>& y);

@@ -29,7 +29,7 @@ struct JournalCase {
 struct TrajectoryRow {
   double t;
   std::array<std::string, 6> value;
-  /// Largest difference of the two, over the size of the vector that the component belongs to.
+  /// Largest distance of the two, of ê, ė/c and the force, over the largest size of that vector along the trajectory.
   double disagreement;
 };
 
@@ -49,8 +49,7 @@ struct ReferenceTrajectory {
 /// @throws std::runtime_error if an integrator can't go on
 ReferenceTrajectory reference_trajectory(const std::string& law, const JournalCase& journal, double tolerance);
 
-/// CSV of a trajectory: t [s], e/c [-], ė/c [1/s], force on the journal [N], and the two integrators' difference over
-/// the size of the vector.
+/// CSV of a trajectory: t [s], e/c [-], ė/c [1/s], force on the journal [N], and the disagreement.
 std::string trajectory_reference_csv(const ReferenceTrajectory& trajectory);
 
 /// Times of the reference trajectories [s]: the first milliseconds closely, then every 20 ms to the end.
