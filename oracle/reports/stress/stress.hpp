@@ -35,7 +35,7 @@ struct StressSettings {
   std::vector<std::string> integrators;
   unsigned threads = 1;
   /// No limit of steps above this: what a quick look has time for.
-  std::size_t most_steps = 1'000'000;
+  std::size_t most_steps = 200'000;
   /// Cells so far are kept here after every case and law, and taken up again if the settings are the same.
   std::optional<std::filesystem::path> resume_file;
 };

@@ -59,13 +59,16 @@ class ModeRun {
   using Method = Integrator<double, Mode::dimension>;
 
   ModeRun(const Mode& mode, Method& method, const RunSettings& settings, RunOutcome& outcome)
-      : mode_(mode), method_(method), settings_(settings), outcome_(outcome), system_(mode, outcome.rhs_evaluations) {}
+      : mode_(mode), method_(method), settings_(settings), outcome_(outcome), system_(mode, outcome.rhs_evaluations) {
+    step_.smooth_rates = method.has_smooth_rates();
+  }
 
   template <class Observer>
   ModeResult run(double& t, State& y, double& dt, Observer&& observe) {
     const double t_end = settings_.duration;
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
     if (t_end - t > shortest * t_end) system_.rate(y, step_.rate_new, t);
+    int rejections = 0;
     while (t_end - t > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) return {ModeEnd::step_limit, 0};
       step_.t_old = t;
@@ -84,9 +87,11 @@ class ModeRun {
         y = step_.y_old;
         step_.rate_new = step_.rate_old;
         ++outcome_.rejected_steps;
-        if (!(dt > shortest * std::max(t, 1e-3 * t_end))) return {ModeEnd::step_too_short, 0};
+        if (++rejections > max_rejections) return {ModeEnd::step_too_short, 0};
+        if (!(dt > shortest * std::max(t, shortest * t_end))) return {ModeEnd::step_too_short, 0};
         continue;
       }
+      rejections = 0;
       ++outcome_.steps;
       if (last) dt = std::max(dt, wanted);
       if constexpr (Mode::margin_count > 0) {
@@ -104,6 +109,10 @@ class ModeRun {
   }
 
  private:
+  /// In a row. Halving leads from any first step to the shortest one in less; a method that rejects more often without
+  /// a shorter step is stuck.
+  static constexpr int max_rejections = 400;
+
   /// A margin that starts at zero may be negative by rounding; one this small has not been crossed. Margins of sided
   /// modes are sines of angles between computed unit vectors: a few epsilon.
   static constexpr double slack = 16 * std::numeric_limits<double>::epsilon();
@@ -130,6 +139,7 @@ class ModeRun {
     } catch (const std::domain_error&) {
       return false;
     }
+    method_.refine_end_rate(step_.rate_new);
     return true;
   }
 
