@@ -146,27 +146,25 @@ TEST_CASE("stress: the CSV has a row a cell, and names case, law, integrator, st
   CHECK(table.header() == "case,law,integrator,status,error,seconds,steps,message");
   CHECK(table.rows() == 6);
   CHECK(table.field(0, table.column("status")) == "stopped");
-  CHECK(table.number(0, table.column("steps")) == 40);
-  CHECK_THAT(std::string(table.field(0, table.column("message"))), Contains("limit of 40 steps"));
+  CHECK(table.number(0, table.column("steps")) == 10);
+  CHECK_THAT(std::string(table.field(0, table.column("message"))), Contains("limit of 10 steps"));
 }
 
 TEST_CASE("stop: a limit of steps says so, and which integrator or tolerance needs fewer") {
   const Scene journal = scene_named("journal-step-limit");
   check_stop(outcome_of(journal, "pinkus_sternlicht", "radau_iia5"),
-             {"joint \"bearing\"", "eccentricity ratio", "limit of 40 steps", "relative_tolerance"});
-  check_stop(outcome_of(journal, "pinkus_sternlicht", "dopri5"), {"limit of 40 steps", "radau_iia5 needs far fewer"});
+             {"joint \"bearing\"", "eccentricity ratio", "limit of 10 steps", "relative_tolerance"});
+  check_stop(outcome_of(journal, "pinkus_sternlicht", "dopri5"), {"limit of 10 steps", "radau_iia5 needs far fewer"});
   const Scene crank = scene_named("slider-crank-step-limit");
-  check_stop(outcome_of(crank, "pinkus_sternlicht", "radau_iia5"), {"limit of 40 steps", "relative_tolerance"});
-  check_stop(outcome_of(crank, "pinkus_sternlicht", "dopri5"), {"limit of 40 steps", "radau_iia5 needs far fewer"});
+  check_stop(outcome_of(crank, "pinkus_sternlicht", "radau_iia5"), {"limit of 10 steps", "relative_tolerance"});
+  check_stop(outcome_of(crank, "pinkus_sternlicht", "dopri5"), {"limit of 10 steps", "radau_iia5 needs far fewer"});
 }
 
-TEST_CASE("stop: a load that no film carries in double precision ends the run early, whatever the implicit method") {
+TEST_CASE("stop: a load that no film carries in double precision ends the run early, by the implicit method") {
   for (const char* load : {"journal-load-1e13N", "journal-load-1e25N"}) {
-    const Scene scene = scene_named(load);
-    const RunOutcome outcome = outcome_of(scene, "short_half", "radau_iia5");
+    const RunOutcome outcome = outcome_of(scene_named(load), "pinkus_sternlicht", "radau_iia5");
     INFO(load << ": " << outcome.message);
-    if (outcome.status == RunStatus::finished) continue;
-    CHECK(outcome.steps + outcome.rejected_steps < 20'000);  // a tenth of its limit
+    CHECK(outcome.steps + outcome.rejected_steps < 50'000);  // a quarter of its limit
     check_stop(outcome, {"joint \"bearing\"", "can't carry", "raise the viscosity"});
   }
 }
@@ -175,12 +173,12 @@ TEST_CASE("stop: near the wall a message prints the gap 1 - e/c, not an eccentri
   Scene scene = scene_named("journal-start-near-wall-1e-12");
   scene.run.max_steps = 1;
   const RunOutcome outcome = outcome_of(scene, "pinkus_sternlicht", "radau_iia5");
-  check_stop(outcome, {"eccentricity ratio 1 - 1.0", "e-12"});  // 1e-12 to the four digits that 1 - 1e-12 keeps of it
+  check_stop(outcome, {"eccentricity ratio 1 - 1e-12"});  // the four digits that 1 - 1e-12 keeps of its gap
 }
 
 TEST_CASE("stop: a multibody run names the half film that slides on its jump, and laws without one") {
   const RunOutcome outcome = outcome_of(scene_named("journal-spin-reversal"), "short_half", "dopri5");
-  check_stop(outcome, {"joint \"bearing\"", "half film", "jump", "use a law without one"});
+  check_stop(outcome, {"joint \"bearing\"", "half film", "jump", "needs a law without one"});
 }
 
 TEST_CASE("stop: reasons are counted by kind, whatever the numbers in them") {

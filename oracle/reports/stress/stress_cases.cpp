@@ -167,7 +167,7 @@ void add_journal_cases(CaseList& list) {
   list.add("tolerance-1e-14", "tolerance far too tight", tolerance(1e-14));
   list.add("long-run", "100 s: an explicit method's steps are bound by stability",
            [](Scene& s) { set_duration(s, 100); });
-  list.add("step-limit", "40 steps are allowed", [](Scene& s) { s.run.max_steps = 40; });
+  list.add("step-limit", "10 steps are allowed", [](Scene& s) { s.run.max_steps = 10; });
 }
 
 void add_impact_cases(CaseList& list) {
@@ -182,7 +182,7 @@ void add_impact_cases(CaseList& list) {
   list.add("viscosity-10", "10 Pa s: no contact is reached", viscosity(10));
   list.add("tolerance-1e-1", "tolerance far too loose", tolerance(1e-1));
   list.add("tolerance-1e-14", "tolerance far too tight", tolerance(1e-14));
-  list.add("step-limit", "40 steps are allowed", [](Scene& s) { s.run.max_steps = 40; });
+  list.add("step-limit", "10 steps are allowed", [](Scene& s) { s.run.max_steps = 10; });
 }
 
 void add_slider_crank_cases(CaseList& list) {
@@ -198,7 +198,7 @@ void add_slider_crank_cases(CaseList& list) {
            [](Scene& s) { s.stabilisation.projection = true; });
   list.add("tolerance-1e-1", "tolerance far too loose", tolerance(1e-1));
   list.add("tolerance-1e-14", "tolerance far too tight", tolerance(1e-14));
-  list.add("step-limit", "40 steps are allowed", [](Scene& s) { s.run.max_steps = 40; });
+  list.add("step-limit", "10 steps are allowed", [](Scene& s) { s.run.max_steps = 10; });
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ class JournalRecorder {
       }
       if (force[k] > max_force_) {
         max_force_ = force[k];
-        if (is_peak(force)) refine(max_force_, lower, upper, [&](double t) { return mode.force(t, state_at(t)).norm(); });
+        if (is_peak(force))
+          refine(max_force_, lower, upper, [&](double t) { return mode.force(t, state_at(t)).norm(); });
       }
     }
   }

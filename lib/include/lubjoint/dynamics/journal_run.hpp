@@ -24,9 +24,14 @@ inline std::string stop_message(ModeEnd end, const std::string& joint, double t,
            (is_stiff_integrator(method) ? "a looser relative_tolerance needs fewer"
                                         : "radau_iia5 needs far fewer where the film is stiff");
   }
-  return where +
-         "; no step, however short, gives a finite state with eccentricity ratio below 1: the film can't carry "
-         "this load in double precision; raise the viscosity or lower the load or the clearance";
+  const std::string remedy =
+      "the film can't carry this load in double precision; raise the viscosity or lower the load or the clearance";
+  if (end == ModeEnd::stalled) {
+    return where + "; " + std::to_string(stall_limit) + " trial steps have brought less than " + number(stall_share) +
+           " of the duration: " +
+           (is_stiff_integrator(method) ? remedy : "radau_iia5 needs far fewer where the film is stiff");
+  }
+  return where + "; no step, however short, gives a finite state with eccentricity ratio below 1: " + remedy;
 }
 
 /// What w is measured against [1/s]: the mean spin, or the rate at which the load moves the journal, be it the film or

@@ -41,7 +41,7 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   std::size_t& evaluations_;
 };
 
-enum class ModeEnd { duration_reached, event, step_limit, step_too_short };
+enum class ModeEnd { duration_reached, event, step_limit, step_too_short, stalled };
 
 /// Why and where a mode ended.
 struct ModeResult {
@@ -69,8 +69,15 @@ class ModeRun {
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
     if (t_end - t > shortest * t_end) system_.rate(y, step_.rate_new, t);
     int rejections = 0;
+    double stall_mark = t;
+    std::size_t stall_steps = 0;
     while (t_end - t > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) return {ModeEnd::step_limit, 0};
+      if (++stall_steps > stall_limit) {
+        if (t - stall_mark < stall_share * t_end) return {ModeEnd::stalled, 0};
+        stall_mark = t;
+        stall_steps = 0;
+      }
       step_.t_old = t;
       step_.y_old = y;
       step_.rate_old = step_.rate_new;

@@ -347,8 +347,8 @@ class MultibodyRun {
   }
 
   std::string step_limit_reason() {
-    const std::string reason = nearest_joint().words + "the limit of " + std::to_string(settings_.max_steps) +
-                               " steps is reached: ";
+    const std::string reason =
+        nearest_joint().words + "the limit of " + std::to_string(settings_.max_steps) + " steps is reached: ";
     if (has_half_film()) return reason + "a half film that slides on its jump needs a law without one";
     const bool implicit = method_->counts().jacobians > 0;
     return reason + (implicit ? "a looser relative_tolerance needs fewer"
@@ -396,9 +396,6 @@ class MultibodyRun {
     outcome_.message = "stopped at t = " + detail::number(static_cast<double>(t_)) + " s: " + reason;
   }
 
-  /// So many trials for so small a share of the duration: a run that would never end. A contact takes some hundred.
-  static constexpr std::size_t stall_limit = 4000;
-  static constexpr double stall_share = 2e-6;
   /// A margin that starts at zero may be negative by the rounding of coordinates a thousand clearances long.
   const R slack = R(1e-12) * (std::numeric_limits<R>::epsilon() / R(std::numeric_limits<double>::epsilon()));
 
