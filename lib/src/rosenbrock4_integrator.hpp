@@ -48,6 +48,7 @@ class Rosenbrock4Integrator final : public Integrator<double, N> {
   std::unique_ptr<Integrator<double, N>> fresh() const override {
     return std::make_unique<Rosenbrock4Integrator>(tolerance_);
   }
+  bool has_smooth_rates() const override { return false; }  // no better than its error times an eigenvalue
   std::size_t looks_inside() const override { return 4; }
   StepperCounts counts() const override { return counts_; }
 

@@ -28,6 +28,7 @@ void add_model_error(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
+void add_stress(CLI::App& app, Action& action);
 void add_golden(CLI::App& app, Action& action);  // where the enclosures are built
 void add_verify(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);  // where the proofs are built

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   lubjoint::cli::add_bench(app, action);
   lubjoint::cli::add_cost(app, action);
   lubjoint::cli::add_sweep(app, action);
+  lubjoint::cli::add_stress(app, action);
 #if LUBJOINT_HAS_CERTIFIED
   lubjoint::cli::add_golden(app, action);
 #endif

@@ -146,7 +146,7 @@ class RaceCase final : public BenchCase {
         }
       } else {
         ++result.steps;
-        if (seen) look(step, t_old, t, y_old, y, inside, *seen);
+        if (seen) look(*integrator, step, t_old, t, y_old, y, inside, *seen);
       }
       if ((result.steps + result.rejected) % 256 == 0 && elapsed() > limits.seconds) {
         result.message = "given up after its share of time";
@@ -160,14 +160,16 @@ class RaceCase final : public BenchCase {
     return result;
   }
 
-  void look(StepInterpolant<State>& step, double t_old, double t, const State& y_old, const State& y, State& inside,
-            std::vector<Vector2<double>>& seen) {
+  void look(const Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t,
+            const State& y_old, const State& y, State& inside, std::vector<Vector2<double>>& seen) {
     step.t_old = t_old;
     step.t_new = t;
     step.y_old = y_old;
     step.y_new = y;
     std::swap(step.rate_old, step.rate_new);
     problem_->rate(y, step.rate_new, t);
+    integrator.refine_end_rate(step.rate_new);
+    step.smooth_rates = integrator.has_smooth_rates();
     while (seen.size() < times_.size() && times_[seen.size()] <= t + 1e-13 * duration_) {
       const double at = times_[seen.size()];
       step.state_at(at, problem_->positions(), inside);

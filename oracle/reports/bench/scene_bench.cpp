@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "oracle/reports/bench/sundials_method.hpp"
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/gnuplot.hpp"
+#include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/progress.hpp"
 
 namespace lubjoint::reports {
@@ -32,20 +31,20 @@ std::string csv_line(const BenchRow& row) {
                      run.jacobian_evaluations, run.factorisations, run.finished ? "finished" : "stopped", message);
 }
 
-/// Rows of an interrupted campaign; its first line says of which.
+std::string campaign_key(const SceneBenchSettings& settings, const std::vector<Scene>& scenes) {
+  std::string key = fmt::format("repeats {} seconds {} tolerances", settings.limits.repeats, settings.limits.seconds);
+  for (const double tolerance : settings.tolerances) key += " " + number(tolerance);
+  for (const Scene& scene : scenes) key += " " + scene.file;
+  return key;
+}
+
+/// Rows of an interrupted campaign.
 class Ledger {
  public:
-  Ledger(const SceneBenchSettings& settings, const std::vector<Scene>& scenes) : file_(settings.resume_file) {
-    if (!file_) return;
-    key_ = fmt::format("# repeats {} seconds {} tolerances", settings.limits.repeats, settings.limits.seconds);
-    for (const double tolerance : settings.tolerances) key_ += " " + number(tolerance);
-    for (const Scene& scene : scenes) key_ += " " + scene.file;
-    std::ifstream stream(*file_);
-    std::string line;
-    if (!std::getline(stream, line) || line != key_) return;
-    std::ostringstream rest;
-    rest << stream.rdbuf();
-    const CsvTable table(rest.str(), file_->string());
+  Ledger(const SceneBenchSettings& settings, const std::vector<Scene>& scenes)
+      : kept_(settings.resume_file, campaign_key(settings, scenes), csv_header) {
+    if (!kept_.earlier()) return;
+    const CsvTable& table = *kept_.earlier();
     const auto count = [&](std::size_t row, const char* column) {
       return static_cast<std::size_t>(table.number(row, table.column(column)));
     };
@@ -79,19 +78,15 @@ class Ledger {
   }
 
   void keep(const std::vector<BenchRow>& rows) const {
-    if (!file_) return;
-    std::string text = key_ + "\n" + csv_header;
+    std::string text;
     for (const BenchRow& row : rows) text += csv_line(row);
-    write_file(*file_, text);
+    kept_.keep(text);
   }
 
-  void discard() const {
-    if (file_) std::filesystem::remove(*file_);
-  }
+  void discard() const { kept_.discard(); }
 
  private:
-  std::optional<std::filesystem::path> file_;
-  std::string key_;
+  KeptRows kept_;
   std::vector<BenchRow> rows_;
 };
 

@@ -75,6 +75,13 @@ class Integrator {
   /// Another one with the same tolerances and no memory.
   virtual std::unique_ptr<Integrator> fresh() const = 0;
 
+  /// Replaces f at the end of the last step by the method's own derivative there, if it has a better one: in a stiff
+  /// system f is what the step left of its error times the largest eigenvalue, and useless between the steps.
+  virtual void refine_end_rate(State&) const {}
+
+  /// Is the rate at the ends of a step good enough to interpolate accelerations by?
+  virtual bool has_smooth_rates() const { return true; }
+
   /// Into how many pieces a step is worth dividing when something is looked for inside it.
   virtual std::size_t looks_inside() const = 0;
 

@@ -62,15 +62,20 @@ class JournalRecorder {
       const auto k = static_cast<std::size_t>(i);
       const double lower = t_old + (t_new - t_old) * std::max(i - 1, 0) / pieces;
       const double upper = t_old + (t_new - t_old) * std::min(i + 1, pieces) / pieces;
-      const bool inner = i > 0 && i < pieces;
+      // A peak inside the step, not the way up to its end.
+      const auto is_peak = [&](const auto& values) {
+        return i > 0 && i < pieces && values[k] >= values[k - 1] && values[k] >= values[k + 1];
+      };
       if (ratio[k] > max_squared_ratio_) {
         max_squared_ratio_ = ratio[k];
-        if (inner)
+        if (is_peak(ratio)) {
           refine(max_squared_ratio_, lower, upper, [&](double t) { return squared_ratio(mode, t, state_at(t)); });
+        }
       }
       if (force[k] > max_force_) {
         max_force_ = force[k];
-        if (inner) refine(max_force_, lower, upper, [&](double t) { return mode.force(t, state_at(t)).norm(); });
+        if (is_peak(force))
+          refine(max_force_, lower, upper, [&](double t) { return mode.force(t, state_at(t)).norm(); });
       }
     }
   }

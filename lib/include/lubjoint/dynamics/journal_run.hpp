@@ -8,38 +8,40 @@
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/dynamics/journal_recorder.hpp"
 #include "lubjoint/dynamics/mode_run.hpp"
+#include "lubjoint/dynamics/stop_words.hpp"
 
 namespace lubjoint {
 
 namespace detail {
 
-inline std::string number(double value) {
-  std::ostringstream text;
-  text.precision(10);
-  text << value;
-  return text.str();
-}
-
 /// Message of a run that could not go on: where it was, and what to change.
 inline std::string stop_message(ModeEnd end, const std::string& joint, double t, const JournalState<double>& y,
                                 const RunSettings& settings, std::string_view method) {
   const std::string where = "stopped at t = " + number(t) + " s: joint \"" + joint + "\" is at eccentricity ratio " +
-                            number(std::hypot(y[0], y[1]));
+                            eccentricity_words({y[0], y[1]});
   if (end == ModeEnd::step_limit) {
     return where + "; the limit of " + std::to_string(settings.max_steps) + " steps is reached: " +
            (is_stiff_integrator(method) ? "a looser relative_tolerance needs fewer"
                                         : "radau_iia5 needs far fewer where the film is stiff");
   }
-  return where +
-         "; no step, however short, gives a finite state with eccentricity ratio below 1: the film can't carry "
-         "this load in double precision; raise the viscosity or lower the load or the clearance";
+  const std::string remedy =
+      "the film can't carry this load in double precision; raise the viscosity or lower the load or the clearance";
+  if (end == ModeEnd::stalled) {
+    return where + "; " + std::to_string(stall_limit) + " trial steps have brought less than " + number(stall_share) +
+           " of the duration: " +
+           (is_stiff_integrator(method) ? remedy : "radau_iia5 needs far fewer where the film is stiff");
+  }
+  return where + "; no step, however short, gives a finite state with eccentricity ratio below 1: " + remedy;
 }
 
-/// Absolute tolerances of ê and w: w is measured against the rate at which the film lets the journal move.
+/// What w is measured against [1/s]: the mean spin, or the rate at which the load moves the journal, be it the film or
+/// inertia that holds it back.
 template <FilmLaw Law>
 double rate_scale(const FreeJournal<Law>& journal) {
-  const double film_rate = journal.drive().load.norm() / journal.joint().force_scale();
-  return std::max({std::abs(journal.drive().mean_spin()), film_rate, 1e-3});
+  const double load = journal.drive().load.norm();
+  const double film_rate = load / journal.joint().force_scale();
+  const double inertial_rate = std::sqrt(load / journal.inertia());
+  return std::max({std::abs(journal.drive().mean_spin()), std::min(film_rate, inertial_rate), 1e-3});
 }
 
 }  // namespace detail
@@ -125,6 +127,7 @@ class JournalRun {
     if (is_zero(film.eccentricity) && is_zero(acceleration)) return {Vector2<double>(1, 0), 0, 0, t_};
     const Vector2<double> r = direction(is_zero(film.eccentricity) ? acceleration : film.eccentricity);
     const double fastest = std::max(std::abs(drive.mean_spin()), std::sqrt(acceleration.norm()));
+    if (fastest == 0) return {r, dot(r, film.eccentricity), 0, t_};  // nothing will ever move it
     const double moment = 1e-6 / fastest;
     const double a_r = dot(r, acceleration);
     return {r, dot(r, film.eccentricity) + a_r * moment * moment / 2, a_r * moment, t_ + moment};
@@ -187,7 +190,7 @@ class JournalRun {
         outcome_.status = RunStatus::stopped;
         outcome_.message = "stopped at t = " + detail::number(t_) + " s: joint \"" + joint_name_ +
                            "\" can't leave the jump of its half film at a = 0, eccentricity ratio " +
-                           detail::number(std::hypot(y_[0], y_[1])) +
+                           detail::eccentricity_words({y_[0], y_[1]}) +
                            "; use a law without a jump, such as a dynamic one";
         recorder_.finish(SidedMode<Law>(journal_, HalfFilmSide::converging), t_, y_);
         return;

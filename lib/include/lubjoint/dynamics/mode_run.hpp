@@ -47,7 +47,8 @@ enum class ModeEnd {
   duration_reached,  ///< the run is over
   event,             ///< a margin was crossed
   step_limit,        ///< RunSettings::max_steps
-  step_too_short     ///< no step, however short, succeeds
+  step_too_short,    ///< no step, however short, succeeds
+  stalled            ///< many steps for next to no time
 };
 
 /// Why and where a mode ended.
@@ -67,7 +68,9 @@ class ModeRun {
 
   /// All four are kept by reference; steps and evaluations are counted in the outcome.
   ModeRun(const Mode& mode, Method& method, const RunSettings& settings, RunOutcome& outcome)
-      : mode_(mode), method_(method), settings_(settings), outcome_(outcome), system_(mode, outcome.rhs_evaluations) {}
+      : mode_(mode), method_(method), settings_(settings), outcome_(outcome), system_(mode, outcome.rhs_evaluations) {
+    step_.smooth_rates = method.has_smooth_rates();
+  }
 
   /// Integrates from (t, y); dt is the first step's length, then the next one's.
   template <class Observer>
@@ -75,8 +78,16 @@ class ModeRun {
     const double t_end = settings_.duration;
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
     if (t_end - t > shortest * t_end) system_.rate(y, step_.rate_new, t);
+    int rejections = 0;
+    double stall_mark = t;
+    std::size_t stall_steps = 0;
     while (t_end - t > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) return {ModeEnd::step_limit, 0};
+      if (++stall_steps > stall_limit) {
+        if (t - stall_mark < stall_share * t_end) return {ModeEnd::stalled, 0};
+        stall_mark = t;
+        stall_steps = 0;
+      }
       step_.t_old = t;
       step_.y_old = y;
       step_.rate_old = step_.rate_new;
@@ -93,9 +104,11 @@ class ModeRun {
         y = step_.y_old;
         step_.rate_new = step_.rate_old;
         ++outcome_.rejected_steps;
-        if (!(dt > shortest * std::max(t, 1e-3 * t_end))) return {ModeEnd::step_too_short, 0};
+        if (++rejections > max_rejections) return {ModeEnd::step_too_short, 0};
+        if (!(dt > shortest * std::max(t, shortest * t_end))) return {ModeEnd::step_too_short, 0};
         continue;
       }
+      rejections = 0;
       ++outcome_.steps;
       if (last) dt = std::max(dt, wanted);
       if constexpr (Mode::margin_count > 0) {
@@ -113,6 +126,10 @@ class ModeRun {
   }
 
  private:
+  /// In a row. Halving leads from any first step to the shortest one in less; a method that rejects more often without
+  /// a shorter step is stuck.
+  static constexpr int max_rejections = 400;
+
   /// A margin that starts at zero may be negative by rounding; one this small has not been crossed. Margins of sided
   /// modes are sines of angles between computed unit vectors: a few epsilon.
   static constexpr double slack = 16 * std::numeric_limits<double>::epsilon();
@@ -139,6 +156,7 @@ class ModeRun {
     } catch (const std::domain_error&) {
       return false;
     }
+    method_.refine_end_rate(step_.rate_new);
     return true;
   }
 

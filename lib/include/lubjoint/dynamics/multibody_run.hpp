@@ -4,13 +4,13 @@
 #include <boost/math/tools/roots.hpp>
 #include <cstdint>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "lubjoint/dynamics/contact_events.hpp"
 #include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/multibody_recorder.hpp"
+#include "lubjoint/dynamics/stop_words.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 
 namespace lubjoint {
@@ -83,7 +83,7 @@ class MultibodyRun {
     std::size_t stall_steps = 0;
     while (t_end - t_ > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) {
-        return stop("the limit of " + std::to_string(settings_.max_steps) + " steps is reached");
+        return stop(step_limit_reason());
       }
       if (++stall_steps >= stall_limit) {
         if (t_ - stall_mark < R(stall_share) * t_end) {
@@ -99,6 +99,7 @@ class MultibodyRun {
       step->y_old = y_;
       step->rate_old = rate_;
       step->memory = ode_.memory();
+      step->smooth_rates = method_->has_smooth_rates();
       const R wanted = dt_;
       const R goal = next_stop(t_end);
       const bool last = dt_ >= goal - t_;
@@ -130,6 +131,7 @@ class MultibodyRun {
         project_onto_constraints(ode_.system(), t_, y_, ode_.workspace());
         method_->replace_state(y_);
         ode_.rate(y_, rate_, t_);
+        method_->refine_end_rate(rate_);
         close(*step);
       }
       recorder_.step(step, by_method());
@@ -157,6 +159,7 @@ class MultibodyRun {
     } catch (const std::domain_error&) {
       return false;
     }
+    method_->refine_end_rate(rate_);
     return true;
   }
 
@@ -342,40 +345,56 @@ class MultibodyRun {
     return false;
   }
 
-  /// The joint nearest to its wall, and what would help.
+  std::string step_limit_reason() {
+    const std::string reason =
+        nearest_joint().words + "the limit of " + std::to_string(settings_.max_steps) + " steps is reached: ";
+    if (has_half_film()) return reason + "a half film that slides on its jump needs a law without one";
+    const bool implicit = method_->counts().jacobians > 0;
+    return reason + (implicit ? "a looser relative_tolerance needs fewer"
+                              : "radau_iia5 needs far fewer where the film is stiff");
+  }
+
   std::string no_step_reason() {
-    std::ostringstream text;
-    text.precision(10);
-    text << "no step, however short, gives a finite state";
+    const NearestJoint nearest = nearest_joint();
+    const std::string reason = nearest.words + "no step, however short, gives a finite state; ";
+    if (!nearest.found) return reason + "use a looser relative_tolerance, or lower the loads and speeds";
+    return reason + "raise the viscosity, lower the load or the clearance, or give the joint a transition to contact";
+  }
+
+  /// The joint nearest to its wall, and how near.
+  struct NearestJoint {
+    bool found = false;
+    std::string words;
+  };
+
+  NearestJoint nearest_joint() {
     const std::vector<JointElement<R>>& joints = ode_.system().joints();
     double largest = -1;
     std::size_t nearest = 0;
     ode_.system().evaluate_kinematics(t_, y_.data(), ode_.workspace());
     for (std::size_t j = 0; j < joints.size(); ++j) {
-      const auto ratio = static_cast<double>(motion_of(j).eccentricity.norm() / joints[j].bearing.clearance());
+      const double ratio = ratio_of(j).norm();
       if (ratio > largest) {
         largest = ratio;
         nearest = j;
       }
     }
-    if (largest >= 0) {
-      text << ": joint \"" << joints[nearest].name << "\" is at eccentricity ratio " << largest
-           << "; raise its viscosity, lower the load or the clearance, or give it a transition to contact";
-    }
-    return text.str();
+    if (largest < 0) return {};
+    return {true, "joint \"" + joints[nearest].name + "\" is at eccentricity ratio " +
+                      detail::eccentricity_words(ratio_of(nearest)) + "; "};
+  }
+
+  /// ê, from the frames of the workspace.
+  Vector2<double> ratio_of(std::size_t joint) {
+    const Vector2<R> ratio = motion_of(joint).eccentricity / ode_.system().joints()[joint].bearing.clearance();
+    return {static_cast<double>(ratio.x()), static_cast<double>(ratio.y())};
   }
 
   void stop(const std::string& reason) {
-    std::ostringstream text;
-    text.precision(10);
-    text << "stopped at t = " << static_cast<double>(t_) << " s: " << reason;
     outcome_.status = RunStatus::stopped;
-    outcome_.message = text.str();
+    outcome_.message = "stopped at t = " + detail::number(static_cast<double>(t_)) + " s: " + reason;
   }
 
-  /// So many trials for so small a share of the duration: a run that would never end. A contact takes some hundred.
-  static constexpr std::size_t stall_limit = 4000;
-  static constexpr double stall_share = 2e-6;
   /// A margin that starts at zero may be negative by the rounding of coordinates a thousand clearances long.
   const R slack = R(1e-12) * (std::numeric_limits<R>::epsilon() / R(std::numeric_limits<double>::epsilon()));
 

@@ -27,6 +27,11 @@ struct RunOutcome {
   std::size_t mode_changes = 0;          ///< events at which a half film changed its mode
 };
 
+/// So many trial steps for so small a share of the duration: a run that would never end. At that pace the default limit
+/// of steps is reached after a hundredth of it.
+inline constexpr std::size_t stall_limit = 4000;
+inline constexpr double stall_share = 2e-6;
+
 /// Tolerances and limits of a run.
 struct RunSettings {
   double duration = 1;                 ///< [s]

@@ -135,6 +135,20 @@ class RadauIIA5 {
     }
   }
 
+  /// Derivative of the collocation polynomial at the end of the last accepted step. It is f there but for what Newton's
+  /// iterations have left, which f multiplies by the eigenvalues of a stiff system, and this by 1/h.
+  void end_rate(state_type& rate) const {
+    if (!has_old_step_) return;
+    const auto& c = tableau_.c;
+    const R d1 = (1 - c(1)) / (c(0) * (c(0) - c(1)) * (c(0) - 1));
+    const R d2 = (1 - c(0)) / (c(1) * (c(1) - c(0)) * (c(1) - 1));
+    const R d3 = 1 + 1 / (1 - c(0)) + 1 / (1 - c(1));
+    for (std::size_t i = 0; i < rate.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      rate[i] = (d1 * z_old_[0](k) + d2 * z_old_[1](k) + d3 * z_old_[2](k)) / h_old_;
+    }
+  }
+
   /// Forget the last step: to be called after the state was changed by hand.
   void reset() { started_ = false; }
 

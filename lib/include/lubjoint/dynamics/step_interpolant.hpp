@@ -7,7 +7,8 @@ namespace lubjoint {
 
 /// State and rate at both ends of a step of y = (q, q̇, rest): positions by the quintic that meets positions,
 /// velocities and accelerations at both ends (error of order 6 in the step), velocities by its derivative (order 5),
-/// the rest by the cubic (order 4). Any integrator's steps get the same interpolant.
+/// the rest by the cubic (order 4). Any integrator's steps get the same interpolant, but for those whose rates at the
+/// ends are no accelerations to rely on: there positions are cubic as well.
 template <class State>
 struct StepInterpolant {
   using R = typename State::value_type;  ///< of the states
@@ -17,6 +18,7 @@ struct StepInterpolant {
   State y_new{};                         ///< state at its end
   State rate_old{};                      ///< ẏ at its start
   State rate_new{};                      ///< ẏ at its end
+  bool smooth_rates = true;              ///< Integrator::has_smooth_rates
 
   /// The state at a time inside the step.
   /// @param n  number of coordinates
@@ -27,10 +29,17 @@ struct StepInterpolant {
     for (std::size_t i = 0; i < n; ++i) {
       // Increments over the constant-acceleration start; a cubic, quartic and quintic term close the end.
       const R v0 = h * y_old[n + i];
-      const R a0 = h * h * rate_old[n + i];
+      R a0 = h * h * rate_old[n + i];
+      R a1 = h * h * rate_new[n + i];
+      if (!smooth_rates) {  // those of the cubic
+        const R x1 = y_new[i] - y_old[i];
+        const R v1 = h * y_new[n + i];
+        a0 = 6 * x1 - 4 * v0 - 2 * v1;
+        a1 = 2 * v0 + 4 * v1 - 6 * x1;
+      }
       const R dx = (y_new[i] - y_old[i]) - v0 - a0 / 2;
       const R dv = h * y_new[n + i] - v0 - a0;
-      const R da = h * h * rate_new[n + i] - a0;
+      const R da = a1 - a0;
       const R c3 = 10 * dx - 4 * dv + da / 2;
       const R c4 = -15 * dx + 7 * dv - da;
       const R c5 = 6 * dx - 3 * dv + da / 2;

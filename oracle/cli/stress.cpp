@@ -1,0 +1,85 @@
+#include "oracle/reports/stress/stress.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "lubjoint/dynamics/integrators.hpp"
+#include "lubjoint/film/law_list.hpp"
+#include "oracle/cli/command.hpp"
+#include "oracle/cli/name_option.hpp"
+#include "oracle/reports/files.hpp"
+#include "oracle/reports/stress/stress_report.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+struct StressOptions {
+  std::string scenes = LUBJOINT_SCENES;
+  std::optional<std::string> out;
+  std::vector<std::string> cases, laws, integrators;
+  unsigned jobs = 0;
+  bool quick = false;
+};
+
+std::vector<reports::StressCase> wanted_cases(const StressOptions& options) {
+  std::vector<reports::StressCase> all = reports::stress_cases(options.scenes);
+  if (options.cases.empty()) return all;
+  std::vector<std::string> names;
+  for (const reports::StressCase& each : all) names.push_back(each.name);
+  for (const std::string& name : options.cases) require_name("--case", name, names);
+  std::vector<reports::StressCase> wanted;
+  for (reports::StressCase& each : all) {
+    const auto& list = options.cases;
+    if (std::find(list.begin(), list.end(), each.name) != list.end()) wanted.push_back(std::move(each));
+  }
+  return wanted;
+}
+
+reports::StressSettings settings_of(const StressOptions& options) {
+  reports::StressSettings settings = reports::stress_settings(options.quick);
+  for (const std::string& name : options.laws) require_name("--law", name, film_law_names);
+  for (const std::string& name : options.integrators) require_name("--integrator", name, integrator_names);
+  if (!options.laws.empty()) settings.laws = options.laws;
+  if (!options.integrators.empty()) settings.integrators = options.integrators;
+  if (options.jobs) settings.threads = options.jobs;
+  if (options.out) settings.resume_file = std::filesystem::path(*options.out) / "stress.part";
+  return settings;
+}
+
+}  // namespace
+
+void add_stress(CLI::App& app, Action& action) {
+  auto options = std::make_shared<StressOptions>();
+  CLI::App* command =
+      app.add_subcommand("stress", "Numerical stability: extreme cases x laws x integrators; exit 1 if any is wrong");
+  command->add_option("--out", options->out,
+                      "Folder for stress.csv and the heat map; a run that was interrupted goes on from what is there");
+  command->add_flag("--quick", options->quick, "Two laws and few steps: less than a minute");
+  command->add_option("--case", options->cases, "These cases alone");
+  command->add_option("--law", options->laws, "These laws alone");
+  command->add_option("--integrator", options->integrators, "These integrators alone");
+  command->add_option("--jobs", options->jobs, "Threads; all cores if left out")->check(CLI::Range(1u, 4096u));
+  command->add_option("--scenes", options->scenes, "Folder with journal.toml, impact.toml and slider-crank.toml");
+  command->callback([options, &action] {
+    action = [options] {
+      const std::vector<reports::StressCase> cases = wanted_cases(*options);
+      const reports::StressSettings settings = settings_of(*options);
+      if (options->out) reports::prepare_folder(*options->out);
+      const std::vector<reports::StressCell> cells = reports::run_stress(cases, settings);
+      if (options->out) {
+        const std::filesystem::path folder = *options->out;
+        reports::write_file(folder / "stress.csv", reports::stress_csv(cells));
+        reports::draw_stress(cells, folder);
+        std::cerr << "written: " << (folder / "stress.csv").string() << ", stress.svg and stress.png beside it\n";
+      }
+      std::cout << reports::stress_table(cases, cells);
+      return std::any_of(cells.begin(), cells.end(),
+                         [](const auto& cell) { return cell.status == reports::StressStatus::wrong; })
+                 ? 1
+                 : 0;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

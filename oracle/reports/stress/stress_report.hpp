@@ -1,0 +1,21 @@
+/// The stability matrix as text and as a heat map.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "oracle/reports/stress/stress.hpp"
+
+namespace lubjoint::reports {
+
+/// Cases × integrators, the worst over the laws; then every kind of stop with its count, and every wrong cell.
+std::string stress_table(const std::vector<StressCase>& cases, const std::vector<StressCell>& cells);
+
+/// Heat map of the same matrix, stress.svg and stress.png. @throws OutputError
+void draw_stress(const std::vector<StressCell>& cells, const std::filesystem::path& folder);
+
+/// A message without what differs from cell to cell: numbers as #, without the time and place it starts with.
+std::string stop_kind(const std::string& message);
+
+}  // namespace lubjoint::reports
