@@ -16,6 +16,9 @@ namespace lubjoint {
 
 namespace {
 
+/// [s]; far below any run's, far above where an output interval would lose its digits.
+constexpr double shortest_duration = 1e-290;
+
 SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   SceneBody body;
   body.name = table.name("name");
@@ -136,6 +139,9 @@ Scene read_scene(TableReader root, const std::string& file) {
   scene.name = root.name("name");
   scene.gravity = root.vector_or("gravity", scene.gravity, "m/s^2");
   scene.run.duration = root.number("duration", Allowed::positive, "s");
+  if (scene.run.duration < shortest_duration) {
+    root.refuse("duration", with_unit(scene.run.duration, "s"), "at least " + with_unit(shortest_duration, "s"));
+  }
   for (const TableReader& table : root.tables("bodies")) scene.bodies.push_back(read_body(table, scene.bodies));
   if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
   for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_load(table, scene));

@@ -7,13 +7,6 @@ namespace lubjoint {
 
 namespace {
 
-std::string with_unit(double value, const char* unit) {
-  std::ostringstream text;
-  text << value;
-  if (*unit) text << ' ' << unit;
-  return text.str();
-}
-
 SceneContact read_contact_table(TableReader table) {
   SceneContact contact;
   contact.bearing_modulus = table.number("bearing_modulus", Allowed::positive, "Pa");
@@ -43,6 +36,10 @@ SceneDriver read_driver(TableReader& table, const Scene& scene) {
   }
   const double start = scene.bodies[driver.body].angle - (driver.against ? scene.bodies[*driver.against].angle : 0.0);
   driver.angle = table.number_or("angle", start, Allowed::any, "rad");
+  if (!std::isfinite(driver.angle)) {
+    table.refuse("angle", "missing, and the bodies' angles differ by more than double precision can hold",
+                 "a finite number [rad]");
+  }
   driver.speed = table.number("speed", Allowed::any, "rad/s");
   driver.acceleration = table.number_or("acceleration", 0, Allowed::any, "rad/s^2");
   return driver;
@@ -57,6 +54,13 @@ std::pair<SceneAnchor, SceneAnchor> read_sides(TableReader& table, const Scene& 
 }
 
 }  // namespace
+
+std::string with_unit(double value, const char* unit) {
+  std::ostringstream text;
+  text << value;
+  if (*unit) text << ' ' << unit;
+  return text.str();
+}
 
 std::optional<std::size_t> read_body_name(TableReader& table, std::string_view key, const Scene& scene,
                                           bool ground_is_allowed) {
@@ -107,7 +111,7 @@ void read_contact(TableReader& joint_table, SceneJoint& joint) {
 
 SceneConstraint read_constraint(TableReader table, const Scene& scene) {
   SceneConstraint constraint;
-  constraint.name = table.text("name");
+  constraint.name = table.name("name");
   if (is_taken(scene.constraints, constraint.name) || is_taken(scene.joints, constraint.name)) {
     table.refuse("name", in_quotes(constraint.name), "a name that no other constraint or joint has");
   }
@@ -125,7 +129,9 @@ SceneConstraint read_constraint(TableReader table, const Scene& scene) {
   } else if (type == "translational") {
     const auto [first, second] = read_sides(table, scene);
     Vector2<double> axis = table.vector("axis", "-");
-    if (!(axis.norm() > 0)) table.refuse("axis", "[0, 0]", "a direction, fixed to the body of first");
+    const double largest = axis.cwiseAbs().maxCoeff();  // first, lest squares overflow or vanish
+    if (!(largest > 0)) table.refuse("axis", "[0, 0]", "a direction, fixed to the body of first");
+    axis /= largest;
     axis /= axis.norm();
     constraint.kind = SceneTranslational{first, axis, second, table.number_or("angle", 0, Allowed::any, "rad")};
   } else if (type == "driver") {

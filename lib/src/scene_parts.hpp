@@ -10,6 +10,9 @@ namespace lubjoint {
 
 inline std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
 
+/// A number as messages show it; no unit for "".
+std::string with_unit(double value, const char* unit);
+
 template <class Items>
 bool is_taken(const Items& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "lubjoint/scene/nearest_name.hpp"
+#include "lubjoint/scene/printable.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
@@ -22,23 +23,6 @@ std::string shown(const toml::node& node) {
     }
   });
   return text.str();
-}
-
-/// One line, whatever a string of the file holds.
-std::string printable(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      line += "\\n";
-    } else if (code < 0x20 || code == 0x7f) {
-      constexpr std::string_view digits = "0123456789abcdef";
-      line += std::string("\\x") + digits[code / 16] + digits[code % 16];
-    } else {
-      line += c;
-    }
-  }
-  return line;
 }
 
 std::string allowed_number(Allowed allowed, std::string_view unit) {

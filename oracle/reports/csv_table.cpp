@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "lubjoint/scene/printable.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
@@ -38,7 +40,7 @@ CsvTable::CsvTable(std::string_view text, std::string name) : name_(std::move(na
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (trimmed(line).empty()) {
       if (trimmed(text).find_first_not_of("\r\n \t") == std::string_view::npos) break;
-      throw CsvError(name_ + ":" + std::to_string(line_number) + ": empty line; allowed is a row of numbers");
+      fail(line_number, "empty line; allowed is a row of numbers");
     }
     if (columns_.empty()) {
       for (const std::string_view field : split(line)) columns_.emplace_back(field);
@@ -52,9 +54,8 @@ CsvTable::CsvTable(std::string_view text, std::string name) : name_(std::move(na
   for (Row& row : rows_) {
     row.fields = split(row.text);
     if (row.fields.size() == columns_.size()) continue;
-    throw CsvError(name_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.fields.size()) +
-                   " fields; allowed are " + std::to_string(columns_.size()) +
-                   ", as in the header (commas between fields, points in decimals)");
+    fail(row.line, std::to_string(row.fields.size()) + " fields; allowed are " + std::to_string(columns_.size()) +
+                       ", as in the header (commas between fields, points in decimals)");
   }
 }
 
@@ -63,16 +64,14 @@ std::size_t CsvTable::column(std::string_view name) const {
   if (count != 1) {
     std::string there;
     for (const std::string& known : columns_) there += (there.empty() ? "" : ", ") + known;
-    throw CsvError(name_ + ":1: column \"" + std::string(name) + "\" is " +
-                   (count ? "there more than once" : "missing") + "; required is one such column, and the header has " +
-                   there);
+    fail(1, "column \"" + std::string(name) + "\" is " + (count ? "there more than once" : "missing") +
+                "; required is one such column, and the header has " + there);
   }
   return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
-  std::string_view field = rows_[row].fields[column];
-  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
+  const std::string_view field = without_plus(rows_[row].fields[column]);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool complete = error == std::errc() && end == field.data() + field.size();
@@ -83,8 +82,10 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   return value;
 }
 
-void CsvTable::refuse(std::size_t row, const std::string& what) const {
-  throw CsvError(name_ + ":" + std::to_string(rows_[row].line) + ": " + what);
+void CsvTable::refuse(std::size_t row, const std::string& what) const { fail(rows_[row].line, what); }
+
+void CsvTable::fail(std::size_t line, const std::string& what) const {
+  throw CsvError(printable(name_ + ":" + std::to_string(line) + ": " + what));
 }
 
 }  // namespace lubjoint::reports

@@ -14,6 +14,12 @@ class CsvError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A field without the plus sign that std::from_chars does not take.
+inline std::string_view without_plus(std::string_view field) {
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
+  return field;
+}
+
 /// Comma-separated fields without quoting, decimal points, one header row. A byte-order mark, carriage returns,
 /// spaces around fields and empty lines at the end are tolerated.
 class CsvTable {
@@ -21,6 +27,7 @@ class CsvTable {
   /// @param name  of the file, for messages
   /// @throws CsvError if there is no header, or a row has another number of fields
   CsvTable(std::string_view text, std::string name);
+  CsvTable(CsvTable&&) = default;  // no copies: fields are views of the rows' text
 
   std::size_t rows() const { return rows_.size(); }
   const std::string& header() const { return header_line_; }
@@ -38,6 +45,8 @@ class CsvTable {
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
 
  private:
+  [[noreturn]] void fail(std::size_t line, const std::string& what) const;
+
   struct Row {
     std::string text;
     std::size_t line;

@@ -6,7 +6,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <locale>
 #include <optional>
+#include <sstream>
 
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/verify/single_precision.hpp"
@@ -17,14 +19,22 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// A number beyond the range of doubles: 0 if it is too small for them, as from a program in extended precision.
+double tiny_or_nan(std::string_view field) {
+  std::istringstream stream{std::string(field)};
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  return stream >> value ? value : nan;
+}
+
 /// NaN also for the words and overflows that programs print where they have no number.
 std::optional<double> number_or_nan(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
+  field = reports::without_plus(field);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool complete = end == field.data() + field.size() && !field.empty();
   if (complete && error == std::errc()) return std::isfinite(value) ? value : nan;
-  if (complete && error == std::errc::result_out_of_range) return nan;
+  if (complete && error == std::errc::result_out_of_range) return tiny_or_nan(field);
   std::string word(field);
   std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const std::string_view none : {"nan", "-nan", "na", "none", "inf", "-inf", "infinity", "-infinity", "nan(ind)",
@@ -139,7 +149,7 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
         const std::optional<double> value = number_or_nan(field);
         if (!value) table.refuse(row, fmt::format("{} is \"{}\"; allowed is a number", names[k], field));
         answers.values[*place][k] = *value;
-        digits.see(field);
+        if (!std::isnan(*value)) digits.see(field);
       }
     }
     const auto missing = std::ranges::find(seen, false);

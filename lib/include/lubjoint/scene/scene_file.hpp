@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +33,8 @@ class SceneFile {
  public:
   /// @throws SceneError if the file can't be read
   explicit SceneFile(const std::filesystem::path& file);
+  /// Text in memory and the name of its source, for messages.
+  SceneFile(std::string text, std::string name) : name_(std::move(name)), text_(std::move(text)) {}
 
   const std::string& name() const { return name_; }  ///< of the file, as it was given
   const std::string& text() const { return text_; }  ///< all of it
@@ -51,5 +56,12 @@ class SceneFile {
 /// Reads and checks a scene.
 /// @throws SceneError
 inline Scene load_scene(const std::filesystem::path& file) { return SceneFile(file).scene(); }
+
+/// The same for text in memory.
+/// @param text  TOML 1.0;  @param name  of its source, for messages
+/// @throws SceneError
+inline Scene parse_scene(std::string_view text, std::string name) {
+  return SceneFile(std::string(text), std::move(name)).scene();
+}
 
 }  // namespace lubjoint

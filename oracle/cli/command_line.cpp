@@ -1,0 +1,50 @@
+#include "oracle/cli/command_line.hpp"
+
+#include "lubjoint/scene/nearest_name.hpp"
+#include "lubjoint/scene/printable.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+/// CLI11 names neither the command that it does not know nor what a number may be.
+std::string in_own_words(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+  if (dynamic_cast<const CLI::ConversionError*>(&error)) return error.what() + std::string("; allowed is a number");
+  if (!dynamic_cast<const CLI::RequiredError*>(&error) || !app.get_subcommands().empty()) return error.what();
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  const std::string given = argc > 1 ? argv[1] : "";
+  const std::string what = argc > 1 ? "there is no command \"" + given + "\"" : "a command is missing";
+  return what + "; allowed is " + one_of(commands, given);
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Action& action) {
+  app.require_subcommand(1);
+  app.set_version_flag("--version", LUBJOINT_VERSION);
+  add_reproduce(app, action);
+  add_simulate(app, action);
+  add_force(app, action);
+  add_equilibrium(app, action);
+  add_oracle(app, action);
+  add_model_error(app, action);
+  add_accuracy(app, action);
+  add_bench(app, action);
+  add_cost(app, action);
+  add_sweep(app, action);
+  add_stress(app, action);
+#if LUBJOINT_HAS_CERTIFIED
+  add_golden(app, action);
+#endif
+  add_verify(app, action);
+#if LUBJOINT_HAS_PROOFS
+  add_prove(app, action);
+#endif
+}
+
+std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+  return printable(in_own_words(app, error, argc, argv));
+}
+
+}  // namespace lubjoint::cli

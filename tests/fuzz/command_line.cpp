@@ -1,0 +1,46 @@
+#include "oracle/cli/command_line.hpp"
+
+#include "fuzz/targets.hpp"
+
+namespace lubjoint::fuzz {
+
+namespace {
+
+/// The program's name and one argument a line; a zero byte ends an argument, as it does for any program.
+std::vector<std::string> arguments_in(std::string_view bytes) {
+  std::vector<std::string> words = {"lubjoint"};
+  while (!bytes.empty()) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    words.emplace_back(std::string(bytes.substr(0, end)).c_str());
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+  return words;
+}
+
+}  // namespace
+
+void command_line(std::string_view bytes) {
+  const std::vector<std::string> words = arguments_in(bytes);
+  std::vector<const char*> argv;
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  argv.push_back(nullptr);
+  const int argc = static_cast<int>(words.size());
+  CLI::App app("any", "lubjoint");
+  cli::Action action;
+  cli::add_commands(app, action);
+  try {
+    app.parse(argc, argv.data());
+    require(static_cast<bool>(action), "arguments that are accepted name an action");
+    require(app.get_subcommands().size() == 1, "one command is named");
+  } catch (const CLI::Success&) {  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    const std::string message = cli::refusal(app, error, argc, argv.data());
+    require_one_line(message);
+    const auto says = [&](const std::string& part) { return message.find(part) != std::string::npos; };
+    const bool names_argument = std::any_of(words.begin() + 1, words.end(), [&](const auto& w) { return says(w); });
+    require(names_argument || says("--") || says("allowed") || says("required"),
+            "a message names an argument, an option, or what is allowed: " + message);
+  }
+}
+
+}  // namespace lubjoint::fuzz
