@@ -9,6 +9,7 @@
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/nearest_name.hpp"
+#include "lubjoint/scene/printable.hpp"
 #include "scene_changes.hpp"
 #include "scene_parts.hpp"
 
@@ -182,7 +183,7 @@ toml::table parse(const std::string& text, const std::string& name) {
     return toml::parse(text, name);
   } catch (const toml::parse_error& failure) {
     throw SceneError(name + ":" + std::to_string(failure.source().begin.line) +
-                     ": not valid TOML: " + std::string(failure.description()) + "; allowed is TOML 1.0");
+                     ": not valid TOML: " + printable(failure.description()) + "; allowed is TOML 1.0");
   }
 }
 }  // namespace

@@ -155,7 +155,8 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
     const auto missing = std::ranges::find(seen, false);
     if (missing != seen.end()) {
       throw UnjudgedError(fmt::format("{}: {} of {} states are answered; the first without an answer has id {}", name,
-                                      std::ranges::count(seen, true), count, missing - seen.begin() + 1));
+                                      std::ranges::count(seen, true), count, missing - seen.begin() + 1) +
+                          wanted);
     }
     answers.text = digits.result();
     answers.text.all_single = all_in_single(answers.values, names.size());

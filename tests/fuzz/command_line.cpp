@@ -1,6 +1,7 @@
 #include "oracle/cli/command_line.hpp"
 
 #include "fuzz/targets.hpp"
+#include "lubjoint/scene/printable.hpp"
 
 namespace lubjoint::fuzz {
 
@@ -37,7 +38,8 @@ void command_line(std::string_view bytes) {
     const std::string message = cli::refusal(app, error, argc, argv.data());
     require_one_line(message);
     const auto says = [&](const std::string& part) { return message.find(part) != std::string::npos; };
-    const bool names_argument = std::any_of(words.begin() + 1, words.end(), [&](const auto& w) { return says(w); });
+    const bool names_argument =
+        std::any_of(words.begin() + 1, words.end(), [&](const auto& w) { return !w.empty() && says(printable(w)); });
     require(names_argument || says("--") || says("allowed") || says("required"),
             "a message names an argument, an option, or what is allowed: " + message);
   }
