@@ -15,7 +15,7 @@ namespace lubjoint::cli {
 namespace {
 
 struct StressOptions {
-  std::string scenes = LUBJOINT_SCENES;
+  std::string scenes = scenes_folder();
   std::optional<std::string> out;
   std::vector<std::string> cases, laws, integrators;
   unsigned jobs = 0;
