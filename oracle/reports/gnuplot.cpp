@@ -40,13 +40,6 @@ void run(const fs::path& script) {
 }  // namespace
 
 void draw(const Plot& plot, const fs::path& folder, const std::string& name) {
-  struct Format {
-    const char* extension;
-    std::string terminal;
-  };
-  const std::array<Format, 2> formats = {
-      Format{"svg", fmt::format("svg size {},{} font 'Helvetica,12' background '#ffffff'", plot.width, plot.height)},
-      Format{"png", fmt::format("pngcairo size {},{} font 'Sans,9' background '#ffffff'", plot.width, plot.height)}};
   TemporaryFile script(folder / (name + ".gnuplot.part"));
   TemporaryFile svg(folder / (name + ".svg.part"));
   TemporaryFile png(folder / (name + ".png.part"));
@@ -61,6 +54,31 @@ void draw(const Plot& plot, const fs::path& folder, const std::string& name) {
   run(script.path());
   svg.rename_to(folder / (name + ".svg"));
   png.rename_to(folder / (name + ".png"));
+}
+
+std::vector<std::string> svg_of(const std::vector<Plot>& plots, const fs::path& folder) {
+  TemporaryFile script(folder / "panels.gnuplot.part");
+  TemporaryFile drawn(folder / "panels.svg.part");
+  std::string text = "set encoding utf8\nset terminal svg\nset output " + quoted(drawn.path()) + "\n";
+  for (const Plot& plot : plots) {
+    text += fmt::format("set terminal svg size {},{} font 'Helvetica,14'\n{}\nreset\n", plot.width, plot.height,
+                        plot.script);
+  }
+  write_file(script.path(), text + "unset output\n");
+  run(script.path());
+  // One document after the other, each with its declaration.
+  const std::string all = read_input(drawn.path().string());
+  constexpr std::string_view declaration = "<?xml";
+  std::vector<std::string> documents;
+  for (std::size_t at = all.find(declaration); at != std::string::npos;) {
+    const std::size_t next = all.find(declaration, at + 1);
+    documents.push_back(all.substr(at, next == std::string::npos ? next : next - at));
+    at = next;
+  }
+  if (documents.size() != plots.size()) {
+    throw OutputError(fmt::format("gnuplot drew {} of {} plots", documents.size(), plots.size()));
+  }
+  return documents;
 }
 
 }  // namespace lubjoint::reports
