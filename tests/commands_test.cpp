@@ -264,6 +264,10 @@ TEST_CASE("reproduce: all eight laws agree, and the files that it names are ther
       CHECK(std::filesystem::file_size(folder / (std::string("out/") + plot + extension)) > 1000);
     }
   }
+  const auto page = std::filesystem::file_size(folder / "out/report.html");
+  CHECK(page > 1'000'000);
+  CHECK(page < 5'000'000);  // a page that can be mailed
+  CHECK_THAT(result.err, Contains("report.html"));
   for (const std::string& name : folder.entries()) CHECK(name.find(".unfinished-") == std::string::npos);
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("Options: one that is unknown, twice there or without its value is ref
     check_refused({"simulate", scene, option, "1", option, "1"}, {option});
   }
   check_refused({"equilibrium", scene, "--law"}, {"--law"});
-  for (const char* option : {"--out", "--scenes"}) check_refused({"reproduce", option}, {option});
+  for (const char* option : {"--out", "--scenes", "--data"}) check_refused({"reproduce", option}, {option});
   for (const char* option : {"--out", "--directions", "--seed"}) check_refused({"accuracy", option}, {option});
 }
 
@@ -194,6 +194,11 @@ TEST_CASE("Options: files that can't be read are refused by name") {
   check_refused(force({{"--states", folder / "absent.csv"}}), {"absent.csv\" can't be read"});
   check_refused(force({{"--states", folder.path().string()}}), {"can't be read"});
   check_refused({"reproduce", "--scenes", folder / "absent", "--out", folder / "out"}, {"absent/journal.toml"});
+  const std::string nowhere = folder / "nowhere";
+  check_refused({"reproduce", "--data", nowhere, "--out", folder / "out"},
+                {nowhere, "neither bench-scenes.csv nor stress.csv"});
+  folder.write("stress.csv", "case,law\n");
+  check_refused({"reproduce", "--data", folder.path().string(), "--out", folder / "out"}, {"stress.csv:1", "seconds"});
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 

@@ -44,6 +44,14 @@ nlohmann::ordered_json as_json(const std::vector<proofs::ProofResult>& results) 
 
 }  // namespace
 
+std::vector<reports::page::ProofEntry> proof_entries(const std::vector<proofs::ProofResult>& results) {
+  std::vector<reports::page::ProofEntry> entries;
+  for (const proofs::ProofResult& result : results) {
+    entries.push_back({result.group, result.statement, result.source, proofs::verdict(result), result.as_expected()});
+  }
+  return entries;
+}
+
 int run_prove(bool json, std::ostream& out, const proofs::Progress& progress) {
   const std::vector<proofs::ProofResult> results = proofs::prove_all(progress);
   if (json) {

@@ -4,6 +4,7 @@
 #include <iosfwd>
 
 #include "oracle/proofs/ledger.hpp"
+#include "oracle/reports/page/page.hpp"
 
 namespace lubjoint::cli {
 
@@ -11,5 +12,8 @@ namespace lubjoint::cli {
 /// @param progress  called after every statement; a bar on the terminal, for example
 /// @returns the exit status: 0 if everything that should hold is proved and everything wrong is refuted, else 1
 int run_prove(bool json, std::ostream& out, const proofs::Progress& progress = {});
+
+/// The ledger as the report shows it.
+std::vector<reports::page::ProofEntry> proof_entries(const std::vector<proofs::ProofResult>& results);
 
 }  // namespace lubjoint::cli

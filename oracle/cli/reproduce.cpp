@@ -1,47 +1,86 @@
+#include <filesystem>
 #include <iostream>
 
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/example_1.hpp"
-#include "oracle/reports/example_2.hpp"
 #include "oracle/reports/files.hpp"
-#include "oracle/reports/model_error.hpp"
+#include "oracle/reports/page/page.hpp"
+#ifdef LUBJOINT_HAS_PROOFS
+#include "oracle/cli/prove.hpp"
+#endif
 
 namespace lubjoint::cli {
 
+namespace {
+
+namespace fs = std::filesystem;
+namespace page = reports::page;
+
+struct Options {
+  std::string out = "out/reproduce";
+  std::string scenes = scenes_folder();
+  std::optional<std::string> data;
+};
+
+/// What `bench` and `stress` have left in a folder, if anything.
+void read_data(const fs::path& folder, page::Content& content) {
+  const fs::path run_times = folder / "bench-scenes.csv";
+  const fs::path stability = folder / "stress.csv";
+  std::error_code unreadable;  // then there is nothing to be read
+  const bool timed = fs::exists(run_times, unreadable);
+  const bool stressed = fs::exists(stability, unreadable);
+  if (!timed && !stressed) {
+    throw std::invalid_argument(
+        "--data \"" + folder.string() +
+        "\" holds neither bench-scenes.csv nor stress.csv; allowed is a folder with one or both");
+  }
+  if (timed) content.run_times = page::read_run_times(reports::read_input(run_times.string()), run_times.string());
+  if (stressed) content.stability = page::read_stability(reports::read_input(stability.string()), stability.string());
+}
+
+int reproduce(const Options& options) {
+  const Scene scene = load_scene(fs::path(options.scenes) / "journal.toml");
+  journal_scene(scene);  // refuses what is no journal before a folder is made
+  page::Content content;
+  if (options.data) read_data(*options.data, content);
+  reports::prepare_folder(options.out);
+
+  content.journal = reports::run_example_1(scene);
+  std::cout << reports::example_1_table(content.journal) << '\n';
+  content.model_error = page::bearing_model_error(content.journal);
+  for (std::size_t i = 0; i < content.journal.laws.size(); ++i) {
+    const std::string warning = reports::model_warning(content.journal.laws[i].scene.joints[0], content.model_error.visited[i]);
+    if (!warning.empty()) std::cout << warning << '\n';
+  }
+  content.slider_crank = reports::run_example_2(options.scenes);
+  std::cout << '\n' << reports::example_2_table(content.slider_crank);
+  content.laws = reports::check_laws({});
+  std::cout << '\n' << reports::law_check_table(content.laws);
+#ifdef LUBJOINT_HAS_PROOFS
+  content.proofs = proof_entries(proofs::prove_all());
+#endif
+  content.provenance = page::provenance(LUBJOINT_VERSION, {{"CLI11", CLI11_VERSION}});
+
+  auto files = reports::write_example_1(content.journal, options.out);
+  for (const std::string& file : reports::write_example_2(content.slider_crank, options.out)) files.push_back(file);
+  files.push_back(page::write_page(content, options.out));
+  std::cerr << files.size() << " files written to " << options.out << ":";
+  for (const std::string& file : files) std::cerr << ' ' << file;
+  std::cerr << '\n';
+  return content.passed() ? 0 : 1;
+}
+
+}  // namespace
+
 void add_reproduce(CLI::App& app, Action& action) {
-  struct Options {
-    std::string out = "out/reproduce";
-    std::string scenes = scenes_folder();
-  };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; table and plots");
-  command->add_option("--out", options->out, "Folder for CSV files and plots")->capture_default_str();
+  CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; report.html");
+  command->add_option("--out", options->out, "Folder for report.html, CSV files and plots")->capture_default_str();
   command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");
-  command->callback([options, &action] {
-    action = [options] {
-      const Scene scene = load_scene(std::filesystem::path(options->scenes) / "journal.toml");
-      journal_scene(scene);  // refuses what is no journal before a folder is made
-      reports::prepare_folder(options->out);
-      const reports::Example1 example = reports::run_example_1(scene);
-      std::cout << reports::example_1_table(example);
-      std::cout << '\n';
-      for (const reports::Example1Law& item : example.laws) {
-        const std::string warning =
-            reports::model_warning(item.scene.joints[0], reports::visited_model_error(item.scene, item.run));
-        if (!warning.empty()) std::cout << warning << '\n';
-      }
-      const reports::Example2 second = reports::run_example_2(options->scenes);
-      std::cout << '\n' << reports::example_2_table(second);
-      auto files = reports::write_example_1(example, options->out);
-      for (const std::string& file : reports::write_example_2(second, options->out)) files.push_back(file);
-      std::cerr << files.size() << " files written to " << options->out << ":";
-      for (const std::string& file : files) std::cerr << ' ' << file;
-      std::cerr << '\n';
-      return example.passed() && second.passed() ? 0 : 1;
-    };
-  });
+  command->add_option("--data", options->data,
+                      "Folder with bench-scenes.csv and stress.csv, which bench and stress write, for the report");
+  command->callback([options, &action] { action = [options] { return reproduce(*options); }; });
 }
 
 }  // namespace lubjoint::cli

@@ -7,8 +7,6 @@
 #include <cmath>
 
 #include "lubjoint/film/law_list.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/gnuplot.hpp"
 #include "oracle/reports/journal_report.hpp"
 
 namespace lubjoint::reports {
@@ -161,87 +159,6 @@ std::string example_1_csv(const Example1& example) {
                        item.end_distance, item.long_run_distance, sliding, item.failures.empty() ? "yes" : "no");
   }
   return csv;
-}
-
-namespace {
-
-/// Eight panels, one a law; `panel(item)` is what it plots.
-template <class Panel>
-Plot panels(const Example1& example, const std::string& title, int height, const std::string& common,
-            const Panel& panel) {
-  Plot plot;
-  plot.width = 1400;
-  plot.height = height;
-  plot.script = "set multiplot layout 2,4 title '" + title + "'\n" + common;
-  for (const Example1Law& item : example.laws) {
-    std::string name = item.law;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    plot.script += "set title '" + name + "'\n" + panel(item);
-  }
-  plot.script += "unset multiplot\n";
-  return plot;
-}
-
-std::string series(const Example1Law& item, double (*x)(const JournalSample&), double (*y)(const JournalSample&)) {
-  std::string data = "$data << EOD\n";
-  for (const JournalSample& sample : item.run.samples) data += fmt::format("{:.7g} {:.7g}\n", x(sample), y(sample));
-  return data + "EOD\n";
-}
-
-}  // namespace
-
-std::vector<std::string> write_example_1(const Example1& example, const std::filesystem::path& folder) {
-  prepare_folder(folder);
-  std::vector<std::string> files;
-  for (const Example1Law& item : example.laws) {
-    files.push_back(item.scene.name + ".csv");
-    write_file(folder / files.back(), trajectory_csv(item.scene, item.run));
-  }
-  files.push_back("journal-summary.csv");
-  write_file(folder / files.back(), example_1_csv(example));
-
-  const std::string thin = "set border lw 0.5\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\n";
-  const auto line = [](const char* with) {
-    return fmt::format("plot $data with lines lw 1.2 lc rgb '#0072b2' notitle{}\n", with);
-  };
-  const Plot orbit = panels(
-      example, "Journal centre in the clearance circle, e/c (+: equilibrium)", 760,
-      thin +
-          "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
-          "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n",
-      [&](const Example1Law& item) {
-        return series(
-                   item, [](const JournalSample& s) { return s.state[0]; },
-                   [](const JournalSample& s) { return s.state[1]; }) +
-               fmt::format("set label 1 at {},{} point pt 1 ps 1 lc rgb '#d55e00'\n", item.rest.eccentricity.x(),
-                           item.rest.eccentricity.y()) +
-               line(", cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle");
-      });
-  draw(orbit, folder, "journal-orbit");
-  // The start, from rest to the film's full force, takes some tens of microseconds: it would hide the rest.
-  const std::string times = thin + "set xlabel 't [ms]'\nset format y '%g'\n";
-  const auto force_panels = [&](const std::string& title, const std::string& label,
-                                double (*force)(const JournalSample&), double offset) {
-    return panels(example, title, 620, times + "set ylabel '" + label + "'\n", [&](const Example1Law& item) {
-      std::string data = "$data << EOD\n";
-      for (const JournalSample& sample : item.run.samples) {
-        if (sample.t >= 1e-3) data += fmt::format("{:.7g} {:.7g}\n", 1e3 * sample.t, 1e3 * (force(sample) - offset));
-      }
-      return data + "EOD\n" + line("");
-    });
-  };
-  draw(force_panels(
-           "Horizontal force on the journal, from 1 ms", "F_X [mN]", [](const JournalSample& s) { return s.force.x(); },
-           0),
-       folder, "journal-fx");
-  draw(force_panels(
-           fmt::format("Vertical force on the journal over the load of {:.4f} N, from 1 ms", example.load),
-           "F_Y − W [mN]", [](const JournalSample& s) { return s.force.y(); }, example.load),
-       folder, "journal-fy");
-  for (const char* name : {"journal-orbit", "journal-fx", "journal-fy"}) {
-    for (const char* extension : {".svg", ".png"}) files.push_back(std::string(name) + extension);
-  }
-  return files;
 }
 
 }  // namespace lubjoint::reports

@@ -7,6 +7,7 @@
 
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/reports/figure.hpp"
 
 namespace lubjoint::reports {
 
@@ -38,6 +39,14 @@ Example1 run_example_1(const Scene& scene);
 /// The table that people read, and the same as CSV.
 std::string example_1_table(const Example1& example);
 std::string example_1_csv(const Example1& example);
+
+/// The paper's figure 9: a panel a law, in the order of the laws.
+Figure journal_orbit_figure(const Example1& example);
+
+enum class ForceComponent { horizontal, vertical };
+
+/// Figures 10 and 11; the vertical force over the load.
+Figure journal_force_figure(const Example1& example, ForceComponent component);
 
 /// Trajectories as CSV, the summary, and the figures 9 to 11, into a folder.
 /// @returns the files written

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/reports/figure.hpp"
 
 namespace lubjoint::reports {
 
@@ -46,6 +47,11 @@ Example2 run_example_2(const std::filesystem::path& scenes);
 
 std::string example_2_table(const Example2& example);
 std::string example_2_csv(const Example2& example);
+
+enum class SliderCrankQuantity { force, moment, orbit, film };
+
+/// The paper's figures 13 to 21 by quantity: a panel a parameter set, in the order of the cases.
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity);
 
 /// Trajectories, the summary and the figures 13 to 21, into a folder. @returns the files written
 std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder);

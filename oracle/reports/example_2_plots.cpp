@@ -5,7 +5,6 @@
 
 #include "oracle/reports/example_2.hpp"
 #include "oracle/reports/files.hpp"
-#include "oracle/reports/gnuplot.hpp"
 #include "oracle/reports/multibody_report.hpp"
 #include "oracle/reports/slider_crank_reference.hpp"
 
@@ -15,21 +14,16 @@ namespace {
 
 constexpr double degrees = 180 / boost::math::constants::pi<double>();
 
-/// Six panels, one a parameter set; `panel(item)` is what it plots.
-template <class Panel>
-Plot panels(const Example2& example, const std::string& title, const std::string& common, const Panel& panel) {
-  Plot plot;
-  plot.width = 1400;
-  plot.height = 800;
-  plot.script = "set multiplot layout 2,3 title '" + title + "'\n" +
-                "set border lw 0.5\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\n" + common;
+/// One panel a parameter set; `script(item)` is what it plots.
+template <class Script>
+Figure figure_of(const Example2& example, const std::string& title, const std::string& axes, const Script& script) {
+  Figure figure{title, plain_axes + axes, {}};
   for (const Example2Case& item : example.cases) {
     const SceneJoint& joint = item.scene.joints[0];
-    plot.script +=
-        fmt::format("set title 'c = {:g} mm, {:g} Pa s'\n", 1e3 * joint.clearance, joint.viscosity) + panel(item);
+    figure.panels.push_back(
+        {fmt::format("c = {:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity), script(item)});
   }
-  plot.script += "unset multiplot\n";
-  return plot;
+  return figure;
 }
 
 /// Rows "x y" of a data block. @param point  point(sample) gives x and y
@@ -43,11 +37,65 @@ std::string block(const char* name, const std::vector<MultibodySample>& samples,
   return data + "EOD\n";
 }
 
-const std::string against_angle = "set xlabel 'crank angle [deg]'\nset xrange [0:720]\nset xtics 90\n";
-const std::string lubricated = "$data with lines lw 1.2 lc rgb '#0072b2' ";
-const std::string reference = "with lines lw 0.8 dt 2 lc rgb '#d55e00' ";
+const std::string against_angle = "set xlabel 'crank angle [°]'\nset xrange [0:720]\nset xtics 90\n";
+const std::string lubricated = "$data with lines lw 1.5 lc rgb '#0072b2' ";
+const std::string reference = "with lines lw 1.2 dt 2 lc rgb '#d55e00' ";
 
 }  // namespace
+
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity) {
+  if (example.cases.empty()) return {};
+  const double speed = crank_speed_of(example.cases.front().scene);
+  const auto mechanism = slider_crank_of(example.cases.front().scene);
+  const auto angle = [&](const MultibodySample& s) { return degrees * speed * s.t; };
+  const auto closed = [&](const MultibodySample& s) {
+    return mechanisms::ideal_reactions<double>(mechanism, {speed * s.t, speed, 0});
+  };
+  const auto ideal = [&](const auto& value) {
+    return block("ideal", example.ideal.samples, [&](const auto& s) { return std::pair(angle(s), value(s)); });
+  };
+  switch (quantity) {
+    case SliderCrankQuantity::force:
+      return figure_of(
+          example, "Force in the gudgeon pin (dashed: ideal joint)", against_angle + "set ylabel '|F| [kN]'\n",
+          [&](const Example2Case& item) {
+            return ideal([&](const auto& s) { return closed(s).gudgeon_pin.norm() / 1e3; }) +
+                   block("data", item.run.samples,
+                         [&](const auto& s) { return std::pair(angle(s), s.joints[0].force.norm() / 1e3); }) +
+                   "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+          });
+    case SliderCrankQuantity::moment:
+      return figure_of(example, "Driving moment on the crank (dashed: ideal joint)",
+                       against_angle + "set ylabel 'M [N·m]'\n", [&](const Example2Case& item) {
+                         return ideal([&](const auto& s) { return closed(s).driving_moment; }) +
+                                block("data", item.run.samples,
+                                      [&](const auto& s) { return std::pair(angle(s), s.driving_moments[0]); }) +
+                                "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+                       });
+    case SliderCrankQuantity::orbit:
+      return figure_of(
+          example, "Journal centre in the clearance circle, e/c",
+          "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
+          "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n",
+          [&](const Example2Case& item) {
+            const double c = item.scene.joints[0].clearance;
+            return block("data", item.run.samples,
+                         [&](const auto& s) {
+                           return std::pair(s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c);
+                         }) +
+                   "plot " + lubricated + "notitle, cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle\n";
+          });
+    case SliderCrankQuantity::film:
+      break;
+  }
+  return figure_of(
+      example, "Film thickness (dashed: safe film, 3 µm)",
+      against_angle + "set ylabel 'h_{min} [µm]'\nset logscale y\nset format y '%g'\n", [&](const Example2Case& item) {
+        return block("data", item.run.samples,
+                     [&](const auto& s) { return std::pair(angle(s), 1e6 * s.joints[0].film_thickness); }) +
+               "plot " + lubricated + "notitle, 3 " + reference + "notitle\n";
+      });
+}
 
 std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder) {
   prepare_folder(folder);
@@ -59,58 +107,14 @@ std::vector<std::string> write_example_2(const Example2& example, const std::fil
   files.push_back("slider-crank-summary.csv");
   write_file(folder / files.back(), example_2_csv(example));
   if (example.cases.empty()) return files;
-
-  const double speed = crank_speed_of(example.cases.front().scene);
-  const auto mechanism = slider_crank_of(example.cases.front().scene);
-  const auto angle = [&](const MultibodySample& s) { return degrees * speed * s.t; };
-  const auto closed = [&](const MultibodySample& s) {
-    return mechanisms::ideal_reactions<double>(mechanism, {speed * s.t, speed, 0});
-  };
-  const auto& times = example.ideal.samples;
-  const std::string ideal_force =
-      block("ideal", times, [&](const auto& s) { return std::pair(angle(s), closed(s).gudgeon_pin.norm() / 1e3); });
-  const std::string ideal_moment =
-      block("ideal", times, [&](const auto& s) { return std::pair(angle(s), closed(s).driving_moment); });
-
-  draw(panels(example, "Force in the gudgeon pin (dashed: ideal joint)",
-              ideal_force + against_angle + "set ylabel '|F| [kN]'\n",
-              [&](const Example2Case& item) {
-                return block("data", item.run.samples,
-                             [&](const auto& s) { return std::pair(angle(s), s.joints[0].force.norm() / 1e3); }) +
-                       "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
-              }),
-       folder, "slider-crank-force");
-  draw(panels(example, "Driving moment on the crank (dashed: ideal joint)",
-              ideal_moment + against_angle + "set ylabel 'M [N m]'\n",
-              [&](const Example2Case& item) {
-                return block("data", item.run.samples,
-                             [&](const auto& s) { return std::pair(angle(s), s.driving_moments[0]); }) +
-                       "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
-              }),
-       folder, "slider-crank-moment");
-  draw(panels(example, "Journal centre in the clearance circle, e/c",
-              "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
-              "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n",
-              [&](const Example2Case& item) {
-                const double c = item.scene.joints[0].clearance;
-                return block("data", item.run.samples,
-                             [&](const auto& s) {
-                               return std::pair(s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c);
-                             }) +
-                       "plot " + lubricated + "notitle, cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle\n";
-              }),
-       folder, "slider-crank-orbit");
-  draw(panels(example, "Film thickness (dashed: safe film, 3 um)",
-              against_angle + "set ylabel 'h_{min} [um]'\nset logscale y\nset format y '%g'\n",
-              [&](const Example2Case& item) {
-                return block("data", item.run.samples,
-                             [&](const auto& s) { return std::pair(angle(s), 1e6 * s.joints[0].film_thickness); }) +
-                       "plot " + lubricated + "notitle, 3 " + reference + "notitle\n";
-              }),
-       folder, "slider-crank-film");
-  for (const char* name : {"slider-crank-force", "slider-crank-moment", "slider-crank-orbit", "slider-crank-film"}) {
+  const auto sheet = [&](SliderCrankQuantity quantity, const char* name) {
+    draw(on_one_sheet(slider_crank_figure(example, quantity), 2, 3, 1400, 800), folder, name);
     for (const char* extension : {".svg", ".png"}) files.push_back(std::string(name) + extension);
-  }
+  };
+  sheet(SliderCrankQuantity::force, "slider-crank-force");
+  sheet(SliderCrankQuantity::moment, "slider-crank-moment");
+  sheet(SliderCrankQuantity::orbit, "slider-crank-orbit");
+  sheet(SliderCrankQuantity::film, "slider-crank-film");
   return files;
 }
 

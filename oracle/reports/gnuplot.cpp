@@ -77,4 +77,25 @@ void draw(const Plot& plot, const std::filesystem::path& folder, const std::stri
   png.keep();
 }
 
+std::vector<std::string> svg_of(const std::vector<Plot>& plots) {
+  std::string text = "set encoding utf8\nset terminal svg\n";
+  for (const Plot& plot : plots) {
+    text += fmt::format("set terminal svg size {},{} font 'Helvetica,14'\n{}\nreset\n", plot.width, plot.height,
+                        plot.script);
+  }
+  // One document after the other, each with its declaration.
+  const std::string all = drawn(text);
+  constexpr std::string_view declaration = "<?xml";
+  std::vector<std::string> documents;
+  for (std::size_t at = all.find(declaration); at != std::string::npos;) {
+    const std::size_t next = all.find(declaration, at + 1);
+    documents.push_back(all.substr(at, next == std::string::npos ? next : next - at));
+    at = next;
+  }
+  if (documents.size() != plots.size()) {
+    throw OutputError(fmt::format("gnuplot drew {} of {} plots", documents.size(), plots.size()));
+  }
+  return documents;
+}
+
 }  // namespace lubjoint::reports

@@ -1,0 +1,42 @@
+/// The page's sections, one file each, in the order of the page.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "oracle/reports/page/html.hpp"
+#include "oracle/reports/page/page.hpp"
+
+namespace lubjoint::reports::page {
+
+struct Section {
+  std::string id;
+  std::string title;
+  std::string html;
+};
+
+
+Section verdict_section(const Content& content);
+Section motion_section(const Content& content);
+Section journal_section(const Content& content);
+Section equilibrium_section(const Content& content);
+Section slider_crank_section(const Content& content);
+Section laws_section(const Content& content);
+Section model_error_section(const Content& content);
+Section proofs_section(const Content& content);
+Section run_time_section(const Content& content);
+Section stability_section(const Content& content);
+Section verify_section();
+Section provenance_section(const Content& content);
+
+/// A law in words: "long bearing, full film".
+std::string law_words(std::string_view law);
+
+/// "everything agrees", or the failures in one sentence.
+Cell agreement(const std::vector<std::string>& failures);
+
+/// What the runs of the animation look like, as JSON for animation.js (described there).
+std::string animation_json(const Example1& journal, const Example2& slider_crank);
+
+}  // namespace lubjoint::reports::page
