@@ -93,7 +93,7 @@ class Failing {
 std::vector<Suspect> common_suspects(const TrajectoryVerification& v, const Failing& failing) {
   double left = 0;
   std::vector<double> delays;
-  std::size_t count = 0, explained = 0;
+  std::size_t count = 0, explained = 0, offsets = 0;
   std::map<std::string, std::set<SignalKind>> opposite;  // by joint
   std::map<std::string, std::string> whose;
   std::vector<std::string> words;
@@ -109,13 +109,15 @@ std::vector<Suspect> common_suspects(const TrajectoryVerification& v, const Fail
     ++explained;
     words.push_back(d.signal.name() + ": " + e->words);
     if (e->delay) delays.push_back(*e->delay);
+    if (e->words == "a constant offset") ++offsets;
     if (e->opposite) opposite[d.signal.owner].insert(d.signal.kind);
     if (!e->whose.empty()) whose[d.signal.owner] = e->whose;
   }
   if (explained == 0) return {};
   const double share = 1 - std::sqrt(left) / norm(failing.error());
   const auto [least, most] = std::ranges::minmax_element(delays);
-  if (delays.size() == count && *most - *least <= 0.02 * std::abs(*most)) {
+  // What grows evenly, as a driven angle, is offset when it is late.
+  if (!delays.empty() && delays.size() + offsets == count && offsets < delays.size() && *most - *least <= 0.02 * std::abs(*most)) {
     return {{fmt::format("the whole trajectory is {:.4g} s {}", std::abs(*most), *most > 0 ? "late" : "early"), share}};
   }
   for (const auto& [owner, kinds] : opposite) {

@@ -11,7 +11,7 @@ int main() {
   const std::array<double, 5> ex{0, 0.1, -0.3, 0.5, 0.7}, ey{0, 0.2, 0.4, -0.1, 0.3};
   const std::array<double, 5> ux{1, -2, 0, 3, -1}, uy{0, 5, 1, -4, 2};
   std::array<double, 5> fx{}, fy{};
-  lubjoint::film_forces("short_full", bearing, oil, {ex, ey, ux, uy}, {fx, fy});
+  lubjoint::film_forces("short_full", bearing, oil, lubjoint::FilmStateArrays{ex, ey, ux, uy}, lubjoint::ForceArrays{fx, fy});
   int different = 0;
   const double scale = lubjoint::force_scale(lubjoint::ShortFull::limit, bearing, oil);
   for (std::size_t i = 0; i < ex.size(); ++i) {

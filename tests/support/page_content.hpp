@@ -40,6 +40,7 @@ inline reports::Example2 quick_example_2() {
     item.scene.run.relative_tolerance = item.scene.run.absolute_tolerance = 1e-6;
     item.scene.run.output_interval = 1e-4;
     item.run = simulate_multibody(item.scene);
+    item.orbit.multipliers = {0.1, 0.01, 0, 0};
     example.cases.push_back(std::move(item));
   }
   return example;
