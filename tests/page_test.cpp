@@ -116,7 +116,7 @@ TEST_CASE("report: every table has a caption and headings that say what they hea
 
 TEST_CASE("report: figures 9 to 11 and 13 to 21 are drawn, described, and stand beside the paper's words") {
   const std::string& html = full_page();
-  std::vector<std::string> panels = {"figure-14", "figure-15"};
+  std::vector<std::string> panels = {"figure-14-orbit", "figure-15-orbit"};
   for (const std::string number : {"9", "10", "11"}) {
     for (const char letter : {'a', 'b', 'c', 'd', 'e'}) panels.push_back("figure-" + number + letter);
   }
