@@ -30,7 +30,7 @@ struct RunOutcome {
 /// So many trial steps for so small a share of the duration: a run that would never end. At that pace the default limit
 /// of steps is reached after a hundredth of it.
 inline constexpr std::size_t stall_limit = 4000;
-inline constexpr double stall_share = 2e-6;
+inline constexpr double stall_share = 2e-6;  ///< of the duration
 
 /// Tolerances and limits of a run.
 struct RunSettings {
