@@ -33,23 +33,20 @@ std::string forces(const reports::CsvTable& states, const Bearing<double>& beari
 }  // namespace
 
 void add_force(CLI::App& app, Action& action) {
-  struct Options : BearingOptions {
+  struct Options : BearingOptions, StatesOption {
     std::string law;
-    std::string states;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("force", "Film force of a law at given states, CSV in and out");
   command->add_option("--law", options->law, "Film law")->required();
-  command->add_option("--states", options->states, "CSV with eccentricity_ratio,slip_rate,squeeze_rate; - is stdin")
-      ->required();
+  options->add_states(*command);
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
       require_name("--law", options->law, film_law_names);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
-      const reports::CsvTable states(reports::read_input(options->states),
-                                     options->states == "-" ? "standard input" : options->states);
+      const reports::CsvTable states = options->read_states();
       std::cout << with_film_law(options->law, [&]<class Law>() { return forces<Law>(states, bearing, oil); });
       return 0;
     };

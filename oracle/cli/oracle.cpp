@@ -47,24 +47,35 @@ oracle::FilmQuadratureRule rule_of(const std::string& name) {
   throw std::invalid_argument("--rule is \"" + name + "\"; allowed are " + all);
 }
 
-struct ForceOptions : BearingOptions {
+/// A film in a bearing.
+struct FilmOptions : BearingOptions {
   std::string film;
-  std::string states;
-  std::string rule = "gauss_legendre";
   std::string onset = "free";
+
+  void add(CLI::App& command) {
+    command.add_option("--film", film, "short_full … long_dynamic, or finite_full … finite_reynolds")->required();
+    command.add_option("--onset", onset, "Onset of finite_reynolds: free or maximum_film")->capture_default_str();
+    BearingOptions::add(command);
+  }
+};
+
+struct ForceOptions : FilmOptions, StatesOption {
+  std::string rule = "gauss_legendre";
   std::optional<double> rtol;
 };
+
+std::vector<std::string> force_columns(bool dynamic) {
+  if (!dynamic) return {"radial", "tangential", "radial_error", "tangential_error"};
+  return {"radial", "tangential", "theta_s", "theta_e", "radial_error", "tangential_error"};
+}
 
 std::string one_dimensional_forces(const ForceOptions& options, const reports::CsvTable& states) {
   const auto film = oracle::one_dimensional_film(options.film);
   const oracle::FilmQuadratureOptions how{rule_of(options.rule), options.rtol.value_or(1e-13)};
   const bool dynamic = oracle::entry_of(film).extent == FilmExtent::dynamic;
-  std::vector<std::string> names = {"radial", "tangential"};
-  if (dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
-  names.insert(names.end(), {"radial_error", "tangential_error"});
   const Bearing<double> bearing = options.bearing();
   const Lubricant<double> oil = options.oil();
-  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+  return answered_rows(states, force_columns(dynamic), [&](const PolarFilmState<double>& state) {
     const auto force = film_force_by_quadrature(film, bearing, oil, state, how);
     std::vector<double> answer = {force.radial.value, force.tangential.value};
     if (dynamic) answer.insert(answer.end(), {force.theta_s, force.theta_e});
@@ -77,12 +88,9 @@ std::string finite_forces(const ForceOptions& options, const reports::CsvTable& 
   const auto film = oracle::finite_film_of(options.film);
   const oracle::FiniteLengthOptions how{options.rtol.value_or(1e-3), onset_of(options.onset)};
   const bool dynamic = film == oracle::FiniteFilm::finite_dynamic;
-  std::vector<std::string> names = {"radial", "tangential"};
-  if (dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
-  names.insert(names.end(), {"radial_error", "tangential_error"});
   const Bearing<double> bearing = options.bearing();
   const Lubricant<double> oil = options.oil();
-  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+  return answered_rows(states, force_columns(dynamic), [&](const PolarFilmState<double>& state) {
     const auto force = finite_length_force(film, bearing, oil, state, how);
     std::vector<double> answer = {force.radial, force.tangential};
     if (dynamic) {
@@ -97,13 +105,8 @@ std::string finite_forces(const ForceOptions& options, const reports::CsvTable& 
 void add_oracle_force(CLI::App& parent, Action& action) {
   auto options = std::make_shared<ForceOptions>();
   CLI::App* command = parent.add_subcommand("force", "Film force by integrating the pressure, CSV in and out");
-  command->add_option("--film", options->film, "short_full … long_dynamic, or finite_full … finite_reynolds")
-      ->required();
-  command->add_option("--states", options->states, "CSV with eccentricity_ratio,slip_rate,squeeze_rate; - is stdin")
-      ->required();
+  options->add_states(*command);
   command->add_option("--rule", options->rule, "Quadrature rule of the one-dimensional films")->capture_default_str();
-  command->add_option("--onset", options->onset, "Onset of finite_reynolds: free or maximum_film")
-      ->capture_default_str();
   command->add_option("--rtol", options->rtol, "Tolerance relative to |F| (1e-13; finite films 1e-3)");
   options->add(*command);
   command->callback([options, &action] {
@@ -120,8 +123,7 @@ void add_oracle_force(CLI::App& parent, Action& action) {
       }
       options->bearing();
       options->oil();
-      const reports::CsvTable states(reports::read_input(options->states),
-                                     options->states == "-" ? "standard input" : options->states);
+      const reports::CsvTable states = options->read_states();
       std::cout << (is_finite_film(options->film) ? finite_forces(*options, states)
                                                   : one_dimensional_forces(*options, states));
       return 0;
@@ -130,27 +132,21 @@ void add_oracle_force(CLI::App& parent, Action& action) {
 }
 
 void add_oracle_pressure(CLI::App& parent, Action& action) {
-  struct Options : BearingOptions {
-    std::string film;
+  struct Options : FilmOptions {
     double ratio = 0;
     double slip = 0;
     double squeeze = 0;
     int angles = 181;
     int stations = 21;
-    std::string onset = "free";
     std::optional<std::string> out;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = parent.add_subcommand("pressure", "Pressure field of one state as CSV theta,z,pressure");
-  command->add_option("--film", options->film, "short_full … long_dynamic, or finite_full … finite_reynolds")
-      ->required();
   command->add_option("--eccentricity-ratio", options->ratio, "In [0, 1)")->required();
   command->add_option("--slip-rate", options->slip, "a [1/s]")->required();
   command->add_option("--squeeze-rate", options->squeeze, "b [1/s]")->required();
   command->add_option("--angles", options->angles, "Number of angles, 0 to 2 pi")->capture_default_str();
   command->add_option("--stations", options->stations, "Number of stations along z")->capture_default_str();
-  command->add_option("--onset", options->onset, "Onset of finite_reynolds: free or maximum_film")
-      ->capture_default_str();
   command->add_option("--out", options->out, "Folder for pressure.csv and a plot, in place of standard output");
   options->add(*command);
   command->callback([options, &action] {

@@ -8,9 +8,23 @@
 #include <vector>
 
 #include "lubjoint/film/film_state.hpp"
+#include "oracle/cli/command.hpp"
 #include "oracle/reports/csv_table.hpp"
+#include "oracle/reports/files.hpp"
 
 namespace lubjoint::cli {
+
+/// The option that names the CSV of states.
+struct StatesOption {
+  std::string states;
+
+  void add_states(CLI::App& command) {
+    command.add_option("--states", states, "CSV with eccentricity_ratio,slip_rate,squeeze_rate; - is stdin")
+        ->required();
+  }
+  /// @throws std::invalid_argument if it can't be read, reports::CsvError if it is none
+  reports::CsvTable read_states() const { return {reports::read_input(states), reports::input_name(states)}; }
+};
 
 /// Adds columns to every row of a table with eccentricity_ratio, slip_rate and squeeze_rate.
 /// @param answer  gives the added numbers of a PolarFilmState<double>, as many as there are names

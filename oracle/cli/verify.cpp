@@ -37,7 +37,11 @@ void check(const VerifyOptions& o) {
   if (o.law.empty() && o.states_out.empty()) {
     throw std::invalid_argument("--law is missing; allowed are auto, " + listed_film_laws());
   }
-  if (!o.law.empty() && o.law != "auto") require_film_law(o.law);
+  if (!o.law.empty()) {
+    std::vector<std::string_view> allowed = {"auto"};
+    allowed.insert(allowed.end(), film_law_names.begin(), film_law_names.end());
+    require_name("--law", o.law, allowed);
+  }
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
   const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
   if (ways == 1) return;
@@ -78,8 +82,8 @@ int verify_trajectory(const VerifyOptions& o) {
   const verify::SceneReference reference = verify::scene_reference(scene, o.tolerance);
   const auto golden = verify::golden_agreement(reference, scenes_folder(), o.golden);
   reports::ProgressBar bar("looking for the mistake", verify::runs_of_search(scene));
-  const auto result = verify::verify_trajectory(reference, given, o.trajectory == "-" ? "standard input" : o.trajectory,
-                                                [&] { bar.advance(); });
+  const auto result =
+      verify::verify_trajectory(reference, given, reports::input_name(o.trajectory), [&] { bar.advance(); });
   if (o.json) {
     std::cout << verify::json_report(result, golden).dump(2) << '\n';
   } else {
@@ -136,9 +140,7 @@ int run(const VerifyOptions& o) {
     const std::string text = from_file ? reports::read_input(o.answers)
                                        : verify::run_program(o.program, verify::states_csv(quantities, states),
                                                              std::chrono::duration<double>(o.timeout));
-    const std::string name = !from_file         ? "answers of \"" + o.program[0] + "\""
-                             : o.answers == "-" ? "standard input"
-                                                : o.answers;
+    const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
     verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
     return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers)), o.json);
   } catch (const verify::UnjudgedError& error) {

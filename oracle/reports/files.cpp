@@ -82,6 +82,8 @@ std::string read_input(const std::string& name) {
   return text;
 }
 
+std::string input_name(const std::string& name) { return name == "-" ? "standard input" : name; }
+
 std::string number(double value) { return fmt::format("{}", value); }
 
 }  // namespace lubjoint::reports

@@ -27,6 +27,9 @@ void write_file(const std::filesystem::path& file, std::string_view content);
 /// @throws std::invalid_argument if it can't be read
 std::string read_input(const std::string& name);
 
+/// What messages call it.
+std::string input_name(const std::string& name);
+
 /// The shortest decimal form that reads back as the same number, whatever the locale.
 std::string number(double value);
 

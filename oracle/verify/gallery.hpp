@@ -34,6 +34,11 @@ Solution solve_with(Quantities quantities, Law law, const State& state, const st
 std::string described_gallery();
 std::string gallery_markdown();
 
+// Where a mistake applies, for more than one topic.
+inline bool in_all(Quantities, Law) { return true; }
+inline bool in_plane(Quantities q, Law) { return !is_polar(q); }
+inline bool in_half_films(Quantities, Law law) { return is_half(law); }
+
 // The gallery by topic, one file each.
 std::vector<Mistake> motion_mistakes();
 std::vector<Mistake> unit_and_geometry_mistakes();

@@ -9,7 +9,6 @@ namespace lubjoint::verify {
 namespace {
 
 bool pinkus_sternlicht(Quantities, Law law) { return law == Law::pinkus_sternlicht; }
-bool half(Quantities, Law law) { return is_half(law); }
 bool full(Quantities, Law law) { return is_full(law); }
 bool polynomial(Quantities, Law law) { return !is_dynamic(law) && law != Law::pinkus_sternlicht; }
 bool short_polynomial(Quantities q, Law law) { return is_short(law) && polynomial(q, law); }
@@ -36,6 +35,11 @@ void use_law(Solution& s) {
 template <Law other>
 bool is_not(Quantities, Law law) {
   return law != other;
+}
+
+template <Law other>
+Mistake another_law(std::string_view name, std::string_view description) {
+  return {name, description, "Another law: see its formula", is_not<other>, {{Step::rates, use_law<other>}}};
 }
 
 /// H = 1 − ε cosθ with the rest unchanged is the law at −ε, and F(−ε, a, b) = −F(ε, −a, −b).
@@ -106,7 +110,7 @@ std::vector<Mistake> film_mistakes() {
       {"half_film_not_halved",
        "The half film's force is not halved, or both halves are counted",
        "Twice the force",
-       half,
+       in_half_films,
        {{Step::film, [](S& s) { s.radial *= 2, s.tangential *= 2; }}}},
       {"full_film_halved",
        "The full film's force is halved, as if half of the film carried pressure symmetrically",
@@ -121,7 +125,7 @@ std::vector<Mistake> film_mistakes() {
       {"squeeze_on_tangential_left_out",
        "The squeeze's tangential force of the half film is left out",
        "Wrong in the tangential force where there is squeeze",
-       half,
+       in_half_films,
        {{Step::terms, [](S& s) { s.tangential_squeeze = 0; }}}},
       {"squeeze_exponent",
        "The power of 1 − ε² below the squeeze term is one too small (3/2 for 5/2, 1/2 for 3/2)",
@@ -166,46 +170,14 @@ std::vector<Mistake> film_mistakes() {
        "The terms that are odd in ε have the wrong sign; a full film shows nothing",
        [](Quantities, Law law) { return !is_full(law); },
        {{Step::rates, negate_ratio}}},
-      {"law_short_full",
-       "The law is short_full",
-       "Another law: see its formula",
-       is_not<Law::short_full>,
-       {{Step::rates, use_law<Law::short_full>}}},
-      {"law_short_half",
-       "The law is short_half",
-       "Another law: see its formula",
-       is_not<Law::short_half>,
-       {{Step::rates, use_law<Law::short_half>}}},
-      {"law_short_dynamic",
-       "The law is short_dynamic",
-       "Another law: see its formula",
-       is_not<Law::short_dynamic>,
-       {{Step::rates, use_law<Law::short_dynamic>}}},
-      {"law_long_full",
-       "The law is long_full",
-       "Another law: see its formula",
-       is_not<Law::long_full>,
-       {{Step::rates, use_law<Law::long_full>}}},
-      {"law_long_half",
-       "The law is long_half",
-       "Another law: see its formula",
-       is_not<Law::long_half>,
-       {{Step::rates, use_law<Law::long_half>}}},
-      {"law_long_half_eq5",
-       "The law is long_half_eq5",
-       "Another law: see its formula",
-       is_not<Law::long_half_eq5>,
-       {{Step::rates, use_law<Law::long_half_eq5>}}},
-      {"law_long_dynamic",
-       "The law is long_dynamic",
-       "Another law: see its formula",
-       is_not<Law::long_dynamic>,
-       {{Step::rates, use_law<Law::long_dynamic>}}},
-      {"law_pinkus_sternlicht",
-       "The law is pinkus_sternlicht",
-       "Another law: see its formula",
-       is_not<Law::pinkus_sternlicht>,
-       {{Step::rates, use_law<Law::pinkus_sternlicht>}}},
+      another_law<Law::short_full>("law_short_full", "The law is short_full"),
+      another_law<Law::short_half>("law_short_half", "The law is short_half"),
+      another_law<Law::short_dynamic>("law_short_dynamic", "The law is short_dynamic"),
+      another_law<Law::long_full>("law_long_full", "The law is long_full"),
+      another_law<Law::long_half>("law_long_half", "The law is long_half"),
+      another_law<Law::long_half_eq5>("law_long_half_eq5", "The law is long_half_eq5"),
+      another_law<Law::long_dynamic>("law_long_dynamic", "The law is long_dynamic"),
+      another_law<Law::pinkus_sternlicht>("law_pinkus_sternlicht", "The law is pinkus_sternlicht"),
   };
 }
 

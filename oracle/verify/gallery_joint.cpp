@@ -8,7 +8,6 @@ namespace lubjoint::verify {
 
 namespace {
 
-bool always(Quantities, Law) { return true; }
 bool in_transition(Quantities q, Law) { return q == Quantities::transition; }
 bool in_wrench(Quantities q, Law) { return q == Quantities::wrench; }
 
@@ -26,27 +25,27 @@ std::vector<Mistake> assembly_mistakes() {
       {"radial_and_tangential_swapped",
        "The radial force acts along t and the tangential one along r",
        "Pure squeeze pushes sideways",
-       always,
+       in_all,
        {{Step::film, [](S& s) { std::swap(s.radial, s.tangential); }}}},
       {"tangential_clockwise",
        "t is r turned clockwise",
        "The tangential force has the wrong sign",
-       always,
+       in_all,
        {{Step::film, [](S& s) { s.tangential = -s.tangential; }}}},
       {"radial_inwards",
        "The radial direction points from the journal's to the bearing's centre when the force is put together",
        "The radial force has the wrong sign: squeeze drives instead of damps",
-       always,
+       in_all,
        {{Step::film, [](S& s) { s.radial = -s.radial; }}}},
       {"film_from_minimum_thickness",
        "θ is counted from the minimum film: both force components point the other way",
        "The film's force has the wrong sign",
-       always,
+       in_all,
        {{Step::film, [](S& s) { s.radial = -s.radial, s.tangential = -s.tangential; }}}},
       {"force_on_bearing",
        "The force on the bearing is given, not the one on the journal",
        "Every force has the wrong sign",
-       always,
+       in_all,
        {{Step::film,
          [](S& s) {
            if (s.quantities == Quantities::polar) s.radial = -s.radial, s.tangential = -s.tangential;
@@ -58,7 +57,7 @@ std::vector<Mistake> assembly_mistakes() {
       {"tangential_left_out",
        "Only the radial force is applied",
        "Pure wedge of a full film gives no force",
-       always,
+       in_all,
        {{Step::film, [](S& s) { s.tangential = 0; }}}},
       {"angle_from_minimum_thickness",
        "The place θ is counted from the minimum film",
@@ -81,7 +80,7 @@ std::vector<Mistake> assembly_mistakes() {
       {"x_and_y_swapped",
        "The columns of the two components are exchanged",
        "Right along the diagonals only",
-       [](Quantities q, Law) { return !is_polar(q); },
+       in_plane,
        {{Step::answer, [](S& s) { std::swap(s.answer[0], s.answer[1]); }}}},
   };
 }
