@@ -169,6 +169,12 @@ TEST_CASE("report: the verdict is good when everything agrees, and names what do
   CHECK_FALSE(content.passed());
   CHECK_THAT(section(page_of(content), "verdict"), Contains("✗ 6 of 7 agree"));
   content = full_content();
+  content.stability->rows[3].status = page::RowStatus::wrong;
+  CHECK_FALSE(content.passed());
+  const std::string unstable = page_of(content);
+  CHECK_THAT(section(unstable, "verdict"), Contains(" 1 wrong") && Contains("class=\"verdict bad\""));
+  CHECK(count(section(unstable, "stability"), "<td class=\"level-wrong\"") == 1);
+  content = full_content();
   (*content.proofs)[1].as_expected = false;
   CHECK_FALSE(content.passed());
   CHECK_THAT(section(page_of(content), "verdict"), Contains("✗ 1 of 2 as they should be"));
@@ -245,11 +251,13 @@ TEST_CASE("report: tables of others are refused with file, line and what is allo
   CHECK_THAT(refused(head + "s,f,i,1e-6,1e-8,1,1,0,1,0,0,done,\n"), Contains(":2: status is \"done\"; allowed are"));
   CHECK_THAT(refused(head + "s,f,i,1e-6,nan,1,1,0,1,0,0,finished,\n"), Contains(":2: error is \"nan\""));
   CHECK_THAT(refused(head + "s,f,i,1e-6,-1,1,1,0,1,0,0,finished,\n"), Contains("error is negative; allowed"));
-  CHECK_THAT(refused(head + "s,f,i,1e-6,1,-1,1,0,1,0,0,finished,\n"), Contains("seconds are negative; allowed"));
-  CHECK_THAT(refused(head + "s,f,i,1e-6,,1,1,0,1,0,0,stopped,\n"), Contains("message is empty; required"));
+  CHECK_THAT(refused(head + "s,f,i,1e-6,1,-1,1,0,1,0,0,finished,\n"), Contains("seconds is negative; allowed"));
+  CHECK_THAT(refused(head + "s,f,i,1e-6,,1,1,0,1,0,0,finished,\n"), Contains("error is \"\"; allowed"));
+  CHECK(refused(head + "s,f,i,1e-6,,,1,0,1,,,stopped,gave up\n") == "taken");
   CHECK_THAT(refused(head + ",f,i,1e-6,1,1,1,0,1,0,0,finished,\n"), Contains("scene is empty; allowed"));
   const std::string stress = "case,law,integrator,status,error,seconds,steps,message\n";
   const std::string row = "c,l,i,finished,1e-9,1,1,\n";
+  CHECK(page::read_stability(stress + "c,l,i,wrong,,1,1,off\n", "t").rows[0].status == page::RowStatus::wrong);
   CHECK(page::read_stability(stress + row, "stress.csv").rows.size() == 1);
   CHECK_THROWS_WITH(page::read_stability(stress + row + row, "stress.csv"), Contains("stress.csv:3"));
 }

@@ -81,6 +81,10 @@ int verify_trajectory(const VerifyOptions& o) {
   const std::string given = reports::read_input(o.trajectory);
   const verify::SceneReference reference = verify::scene_reference(scene, o.tolerance);
   const auto golden = verify::golden_agreement(reference, scenes_folder(), o.golden);
+  if (golden && !golden->confirms()) {
+    throw verify::UnjudgedError("our own run is not the golden trajectory " + golden->file +
+                                ": allowed is a golden folder as it came with this lubjoint");
+  }
   reports::ProgressBar bar("looking for the mistake", verify::runs_of_search(scene));
   const auto result =
       verify::verify_trajectory(reference, given, reports::input_name(o.trajectory), [&] { bar.advance(); });

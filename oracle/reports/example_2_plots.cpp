@@ -37,7 +37,7 @@ std::string block(const char* name, const std::vector<MultibodySample>& samples,
   return data + "EOD\n";
 }
 
-const std::string against_angle = "set xlabel 'crank angle [°]'\nset xrange [0:720]\nset xtics 90\n";
+const std::string against_angle = "set xlabel 'crank angle φ [°]'\nset xrange [0:720]\nset xtics 90\n";
 const std::string lubricated = "$data with lines lw 1.5 lc rgb '#0072b2' ";
 const std::string reference = "with lines lw 1.2 dt 2 lc rgb '#d55e00' ";
 

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/reports/files.hpp"
 #include "oracle/reports/journal_report.hpp"
 #include "oracle/reports/multibody_report.hpp"
 #include "oracle/verify/answers.hpp"
@@ -137,44 +135,6 @@ TrajectoryVerification verify_trajectory(const SceneReference& reference, std::s
   }
   if (!result.agrees()) result.suspects = suspects(reference, result, progress);
   return result;
-}
-
-std::optional<GoldenAgreement> golden_agreement(const SceneReference& reference, const std::filesystem::path& scenes,
-                                                const std::filesystem::path& golden) {
-  const Scene& scene = reference.scene;
-  if (!is_free_journal(scene)) return {};
-  const auto numbers = [](const Scene& s) {
-    const SceneBody& body = s.bodies.front();
-    const SceneJoint& joint = s.joints.front();
-    std::vector<double> list = {
-        body.mass,       body.position.x(),    body.position.y(),       body.velocity.x(),      body.velocity.y(),
-        body.spin,       s.gravity.x(),        s.gravity.y(),           joint.viscosity,        joint.length,
-        joint.clearance, joint.journal_radius, joint.bearing.point.x(), joint.bearing.point.y()};
-    for (const SceneLoad& load : s.loads) list.insert(list.end(), {load.force.x(), load.force.y()});
-    return list;
-  };
-  const std::filesystem::path shipped = scenes / "journal.toml";
-  const std::string law = scene.joints.front().film;
-  const std::filesystem::path file = golden / "trajectories" / ("journal-" + law + ".csv");
-  if (!std::filesystem::exists(shipped) || !std::filesystem::exists(file)) return {};
-  if (numbers(scene) != numbers(load_scene(shipped))) return {};
-  const Trajectory table = read_trajectory(reports::read_input(file.string()), file.filename().string());
-  const std::string joint = scene.joints.front().name;
-  const std::vector<double>& ex = reference.run.columns.at(joint + ".ex");
-  const std::vector<double>& ey = reference.run.columns.at(joint + ".ey");
-  GoldenAgreement agreement{file.filename().string(), 0, 0};
-  for (std::size_t i = 0; i < table.t.size(); ++i) {
-    // Only at the run's own times: between them its samples say less than it knows.
-    const auto place = std::ranges::lower_bound(reference.run.t, table.t[i] * (1 - 1e-12));
-    if (place == reference.run.t.end() || *place > table.t[i] * (1 + 1e-12)) continue;
-    const auto k = static_cast<std::size_t>(place - reference.run.t.begin());
-    const double c = scene.joints.front().clearance;
-    const double apart =
-        std::hypot(ex[k] / c - table.columns.at("ex_over_c")[i], ey[k] / c - table.columns.at("ey_over_c")[i]);
-    agreement.clearances = std::max(agreement.clearances, apart);
-    ++agreement.times;
-  }
-  return agreement.times > 0 ? std::optional(agreement) : std::nullopt;
 }
 
 }  // namespace lubjoint::verify

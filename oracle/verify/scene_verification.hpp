@@ -1,7 +1,6 @@
 /// Verification of a trajectory of a scene, against our own simulation of it.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -53,17 +52,5 @@ struct TrajectoryVerification {
 /// @throws UnjudgedError if no column names a signal, or the scene is too sensitive to be judged
 TrajectoryVerification verify_trajectory(const SceneReference& reference, std::string_view csv, const std::string& name,
                                          const std::function<void()>& progress = {});
-
-/// How far the reference is from the golden trajectory of the same scene, at the golden times.
-struct GoldenAgreement {
-  std::string file;
-  std::size_t times = 0;
-  double clearances = 0;
-};
-
-/// None if the scene is not the shipped journal, or its law has no golden trajectory.
-/// @param scenes, golden  folders of the shipped scenes and of the golden data
-std::optional<GoldenAgreement> golden_agreement(const SceneReference& reference, const std::filesystem::path& scenes,
-                                                const std::filesystem::path& golden);
 
 }  // namespace lubjoint::verify

@@ -63,8 +63,9 @@ std::string text_report(const TrajectoryVerification& v, const std::optional<Gol
       "what a run\nat tolerance {} loses; the interpolation between the given rows.\n",
       v.reference_tolerance, v.tolerance, v.sensitivity_tolerance);
   if (golden) {
-    fmt::format_to(out, "It is within {:.1e} clearances of the golden trajectory {} at {} times.\n", golden->clearances,
-                   golden->file, golden->times);
+    fmt::format_to(
+        out, "It is within {:.1e} clearances, or of the largest value, of the golden trajectory {} at {} times.\n",
+        golden->worst, golden->file, golden->times);
   }
   if (!v.not_given.empty()) text += "Not given: " + listed(v.not_given) + '\n';
   if (!v.not_read.empty()) text += "Not compared: " + listed(v.not_read) + '\n';
@@ -112,7 +113,7 @@ nlohmann::ordered_json json_report(const TrajectoryVerification& v, const std::o
   for (const Suspect& s : v.suspects) suspects.push_back({{"words", s.words}, {"share", s.share}});
   nlohmann::ordered_json certified = nullptr;
   if (golden) {
-    certified = {{"file", golden->file}, {"times", golden->times}, {"worst_clearances", golden->clearances}};
+    certified = {{"file", golden->file}, {"times", golden->times}, {"worst", golden->worst}};
   }
   return {{"verdict", v.agrees() ? "agrees" : "disagrees"},
           {"message", headline(v)},

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "oracle/verify/scene_verification.hpp"
+#include "oracle/verify/golden_trajectory.hpp"
 
 namespace lubjoint::verify {
 

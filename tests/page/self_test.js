@@ -125,7 +125,7 @@
     const looks = marks().map((mark) => mark.parentElement.dataset.integrator + mark.getAttribute('d') + mark.getAttribute('style'));
     check(new Set(looks).size === boxes.length, 'two integrators look the same');
 
-    check(/run time \[ms\]/.test(labels()) && /\[-\]/.test(labels()), 'an axis has no unit');
+    check(/run time t \[ms\]/.test(labels()) && /\[-\]/.test(labels()), 'an axis has no unit');
     check(/10⁻/.test(labels()), 'the logarithmic axes have no powers of ten');
     const before = marks().map((mark) => mark.getAttribute('transform')).join();
     change(element('run-time-log-x'), false);

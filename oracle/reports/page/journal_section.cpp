@@ -146,8 +146,7 @@ Section journal_section(const Content& content) {
            {"last_fy", by_letter(example, [](const auto& i) { return fmt::format("{:.5f} N", last_of(i).force.y()); })},
            {"sliding", sliding_words(example)},
            {"orbits", draw_panels(panels_of(orbit, example, 9, "Path of the journal’s centre", 400))},
-           {"horizontal",
-            draw_panels(panels_of(horizontal, example, 10, "Horizontal force on the journal", 300))},
+           {"horizontal", draw_panels(panels_of(horizontal, example, 10, "Horizontal force on the journal", 300))},
            {"vertical", draw_panels(panels_of(vertical, example, 11, "Vertical force over the load", 300))},
            {"beyond", draw_panels(beyond)}})};
 }

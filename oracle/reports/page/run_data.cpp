@@ -2,6 +2,7 @@
 
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "oracle/reports/csv_table.hpp"
 
@@ -9,15 +10,20 @@ namespace lubjoint::reports::page {
 
 namespace {
 
-RowStatus status_of(const CsvTable& table, std::size_t row) {
-  const std::string_view word = table.field(row, table.column("status"));
-  if (word == "finished") return RowStatus::finished;
-  if (word != "stopped") {
-    table.refuse(row, "status is \"" + std::string(word) + "\"; allowed are finished and stopped");
+constexpr std::pair<std::string_view, RowStatus> of_a_run[] = {{"finished", RowStatus::finished},
+                                                               {"stopped", RowStatus::stopped}};
+constexpr std::pair<std::string_view, RowStatus> of_a_case[] = {
+    {"finished", RowStatus::finished}, {"stopped", RowStatus::stopped}, {"wrong", RowStatus::wrong}};
+
+template <class Words>
+RowStatus status_of(const CsvTable& table, std::size_t row, const Words& words) {
+  const std::string_view given = table.field(row, table.column("status"));
+  std::string allowed;
+  for (const auto& [word, status] : words) {
+    if (given == word) return status;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(word);
   }
-  if (table.field(row, table.column("message")).empty())
-    table.refuse(row, "message is empty; required is why the run stopped");
-  return RowStatus::stopped;
+  table.refuse(row, "status is \"" + std::string(given) + "\"; allowed are " + allowed);
 }
 
 std::string name_in(const CsvTable& table, std::size_t row, const char* column) {
@@ -26,12 +32,17 @@ std::string name_in(const CsvTable& table, std::size_t row, const char* column) 
   return std::string(text);
 }
 
-/// The error of a run that finished; a run that stopped has none, whatever stands there.
-std::optional<double> error_of(const CsvTable& table, std::size_t row, RowStatus status) {
-  if (status == RowStatus::stopped) return std::nullopt;
-  const double error = table.number(row, table.column("error"));
-  if (error < 0) table.refuse(row, "error is negative; allowed are numbers from 0 on");
-  return error;
+/// A number from 0 on.
+double size_in(const CsvTable& table, std::size_t row, const char* column) {
+  const double size = table.number(row, table.column(column));
+  if (size < 0) table.refuse(row, std::string(column) + " is negative; allowed are numbers from 0 on");
+  return size;
+}
+
+/// The same, or nothing where the field is empty.
+std::optional<double> known_size_in(const CsvTable& table, std::size_t row, const char* column) {
+  if (table.field(row, table.column(column)).empty()) return std::nullopt;
+  return size_in(table, row, column);
 }
 
 /// The text without what only editors see, so that scripts can split it at line feeds.
@@ -58,11 +69,12 @@ RunTimes read_run_times(std::string_view csv, const std::string& name) {
     row.formulation = name_in(table, i, "formulation");
     row.integrator = name_in(table, i, "integrator");
     row.tolerance = table.number(i, table.column("tolerance"));
-    row.status = status_of(table, i);
-    row.error = error_of(table, i, row.status);
+    row.status = status_of(table, i, of_a_run);
+    if (row.status == RowStatus::finished) {
+      row.error = size_in(table, i, "error");
+      row.seconds = size_in(table, i, "seconds");
+    }
     row.message = table.field(i, table.column("message"));
-    row.seconds = table.number(i, table.column("seconds"));
-    if (row.seconds < 0) table.refuse(i, "seconds are negative; allowed are numbers from 0 on");
     result.rows.push_back(std::move(row));
   }
   return result;
@@ -78,8 +90,8 @@ Stability read_stability(std::string_view csv, const std::string& name) {
     row.problem = name_in(table, i, "case");
     row.law = name_in(table, i, "law");
     row.integrator = name_in(table, i, "integrator");
-    row.status = status_of(table, i);
-    row.error = error_of(table, i, row.status);
+    row.status = status_of(table, i, of_a_case);
+    row.error = known_size_in(table, i, "error");
     row.message = table.field(i, table.column("message"));
     if (!seen.emplace(row.problem, row.law, row.integrator).second) {
       table.refuse(i, "case, law and integrator are those of an earlier line; allowed is one line each");

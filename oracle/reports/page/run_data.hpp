@@ -8,7 +8,11 @@
 
 namespace lubjoint::reports::page {
 
-enum class RowStatus { finished, stopped };
+enum class RowStatus {
+  finished,
+  stopped,  ///< with a reason
+  wrong     ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
+};
 
 /// One run of a scene.
 struct RunTimeRow {
@@ -16,8 +20,8 @@ struct RunTimeRow {
   std::string formulation;  ///< journal, absolute or minimal coordinates
   std::string integrator;
   double tolerance = 0;
-  std::optional<double> error;  ///< largest |e − e_ref| over the clearance; none if the run stopped
-  double seconds = 0;
+  std::optional<double> error;    ///< largest |e − e_ref| over the clearance; none if the run stopped
+  std::optional<double> seconds;  ///< none if the run stopped
   RowStatus status = RowStatus::finished;
   std::string message;
 };
@@ -28,7 +32,8 @@ struct RunTimes {
 };
 
 /// Columns scene, formulation, integrator, tolerance, error, seconds, steps, rejected, rhs_evaluations,
-/// jacobian_evaluations, factorisations, status, message; others are kept and not shown. Counts may be empty.
+/// jacobian_evaluations, factorisations, status (finished, stopped), message; others are kept and not shown. Counts may
+/// be empty, and of a run that stopped error and seconds.
 /// @param name  of the file, for messages
 /// @throws CsvError that names file, line and column
 RunTimes read_run_times(std::string_view csv, const std::string& name);
@@ -39,7 +44,7 @@ struct StabilityRow {
   std::string law;
   std::string integrator;
   RowStatus status = RowStatus::finished;
-  std::optional<double> error;
+  std::optional<double> error;  ///< none without a reference
   std::string message;
 };
 
@@ -48,7 +53,7 @@ struct Stability {
   std::vector<StabilityRow> rows;
 };
 
-/// Columns case, law, integrator, status, error, seconds, steps, message.
+/// Columns case, law, integrator, status (finished, stopped, wrong), error (may be empty), seconds, steps, message.
 /// @throws CsvError
 Stability read_stability(std::string_view csv, const std::string& name);
 

@@ -110,9 +110,9 @@
       page.add(svg, 'text', {x: left - 6, y: atY(tick) + 4, 'text-anchor': 'end'}, tickWords(tick, logY.checked));
     }
     page.add(svg, 'path', {class: 'frame', d: `M${left},${top}V${bottom}H${right}`});
-    page.add(svg, 'text', {x: (left + right) / 2, y: height - 8, 'text-anchor': 'middle'}, 'run time [ms]');
+    page.add(svg, 'text', {x: (left + right) / 2, y: height - 8, 'text-anchor': 'middle'}, 'run time t [ms]');
     page.add(svg, 'text', {transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`, 'text-anchor': 'middle'},
-      'largest error of e/c [-]');
+      'largest error |Δe|/c [-]');
 
     points = [];
     for (const integrator of integrators) {

@@ -32,13 +32,13 @@ std::string fastest_table(const std::vector<RunTimeRow>& rows) {
     }
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       const RunTimeRow*& first = best[key][i];
-      if (row.error && *row.error <= bounds[i] && (!first || row.seconds < first->seconds)) first = &row;
+      if (row.error && *row.error <= bounds[i] && (!first || *row.seconds < *first->seconds)) first = &row;
     }
   }
   for (const Key& key : order) {
     std::vector<Cell> cells{key.first, key.second};
     for (const RunTimeRow* row : best[key]) {
-      cells.emplace_back(row ? row->integrator + ", " + milliseconds(row->seconds) : "none");
+      cells.emplace_back(row ? row->integrator + ", " + milliseconds(*row->seconds) : "none");
     }
     table.row(std::move(cells));
   }
@@ -59,7 +59,8 @@ std::string failed_table(const std::vector<RunTimeRow>& rows) {
     if (!stopped && row.error && *row.error <= 1e-2) continue;
     table.row({row.scene, row.formulation, row.integrator, scientific(row.tolerance, 0),
                row.error ? scientific(*row.error) : "–",
-               stopped ? "stopped: " + row.message : std::string("finished, without noticing")});
+               stopped ? "stopped: " + (row.message.empty() ? "no reason given" : row.message)
+                       : std::string("finished, without noticing")});
     ++count;
   }
   if (count == 0) return "<p>Every run finished, within 10⁻² c of the reference.</p>\n";

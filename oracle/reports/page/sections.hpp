@@ -16,7 +16,6 @@ struct Section {
   std::string html;
 };
 
-
 Section verdict_section(const Content& content);
 Section motion_section(const Content& content);
 Section journal_section(const Content& content);

@@ -25,11 +25,18 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-/// A cell of the map: the digits that are right, or × for a run that stopped.
+/// A cell of the map: the digits that are right, × for a run that stopped, ! for one that is wrong.
 std::string cell_of(const StabilityRow* row) {
   if (!row) return "<td class=\"level-none\">·</td>";
-  if (row->status == RowStatus::stopped || !row->error) {
+  if (row->status == RowStatus::stopped) {
     return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped("stopped: " + row->message));
+  }
+  if (row->status == RowStatus::wrong) {
+    return fmt::format("<td class=\"level-wrong\" title=\"{}\">!</td>", escaped("wrong: " + row->message));
+  }
+  if (!row->error) {
+    const std::string why = row->message.empty() ? "" : ": " + row->message;
+    return fmt::format("<td class=\"level-none\" title=\"{}\">✓</td>", escaped("finished, without a reference" + why));
   }
   const double error = *row->error;
   const Level* level = levels;
@@ -87,16 +94,18 @@ class Map {
 };
 
 std::string stopped_table(const std::vector<StabilityRow>& rows) {
-  Table table("Runs that stopped, and why",
-              {{"case", {}, false}, {"law", {}, false}, {"integrator", {}, false}, {"reason", {}, false}});
+  Table table("Runs that stopped or are wrong",
+              {{"case", {}, false}, {"law", {}, false}, {"integrator", {}, false}, {"what happened", {}, false}});
   std::size_t count = 0;
   for (const StabilityRow& row : rows) {
-    if (row.status != RowStatus::stopped) continue;
-    table.row({row.problem, row.law, row.integrator, row.message});
+    if (row.status == RowStatus::finished) continue;
+    const bool wrong = row.status == RowStatus::wrong;
+    table.row({row.problem, row.law, row.integrator,
+               Cell((wrong ? "✗ wrong: " : "stopped: ") + row.message, wrong ? "bad" : "")});
     ++count;
   }
-  if (count == 0) return "<p>No run stopped.</p>\n";
-  return fmt::format("<details>\n<summary>{} of {} runs stopped: their reasons</summary>\n{}</details>\n", count,
+  if (count == 0) return "<p>No run stopped, and none is wrong.</p>\n";
+  return fmt::format("<details>\n<summary>{} of {} runs stopped or are wrong</summary>\n{}</details>\n", count,
                      rows.size(), table.html());
 }
 
@@ -112,8 +121,11 @@ Section stability_section(const Content& content) {
     for (const Level& level : levels) {
       inner += fmt::format("<li><span class=\"swatch {}\"></span>{}</li>\n", level.look, level.words);
     }
-    inner += "<li><span class=\"swatch level-stop\"></span>× stopped, with a reason</li>\n<li>· not run</li>\n</ul>\n";
-    inner += "<p>In the cells: digits of e/c that are right, or × where the run stopped.</p>\n";
+    inner +=
+        "<li><span class=\"swatch level-stop\"></span>× stopped, with a reason</li>\n"
+        "<li><span class=\"swatch level-wrong\"></span>! wrong</li>\n<li>✓ finished, without a reference</li>\n<li>· "
+        "not run</li>\n</ul>\n";
+    inner += "<p>In the cells: digits of e/c that are right.</p>\n";
     inner += Map(content.stability->rows).html();
     inner +=
         "<p class=\"readout\" id=\"stability-readout\" role=\"status\">Point at a cell for its error or reason.</p>\n";

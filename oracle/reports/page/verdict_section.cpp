@@ -37,11 +37,14 @@ void proofs_row(Table& table, const std::optional<std::vector<ProofEntry>>& proo
 
 void stability_row(Table& table, const std::optional<Stability>& stability) {
   if (!stability) return;
-  const auto stopped = std::count_if(stability->rows.begin(), stability->rows.end(),
-                                     [](const StabilityRow& row) { return row.status == RowStatus::stopped; });
-  table.row({"extreme cases", "every run ends: finished, or stopped with its reason", "–",
-             fmt::format("{} runs: {} finished, {} stopped with a reason", stability->rows.size(),
-                         static_cast<std::ptrdiff_t>(stability->rows.size()) - stopped, stopped)});
+  const auto count = [&](RowStatus status) {
+    return std::count_if(stability->rows.begin(), stability->rows.end(),
+                         [&](const StabilityRow& row) { return row.status == status; });
+  };
+  const auto wrong = count(RowStatus::wrong);
+  table.row({"extreme cases", "every run ends: finished near its reference, or stopped with a reason", "–",
+             verdict_cell(wrong == 0, fmt::format("{} finished, {} stopped, {} wrong", count(RowStatus::finished),
+                                                  count(RowStatus::stopped), wrong))});
 }
 
 /// What a user must know before believing any of the laws for this bearing.
