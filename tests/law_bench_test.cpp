@@ -1,0 +1,71 @@
+// The table of error against run time of the laws, as the command prints it. Times are not judged here.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "lubjoint/film/law_list.hpp"
+#include "support/csv.hpp"
+#include "support/run_program.hpp"
+#include "support/scene_text.hpp"
+
+using namespace lubjoint::test;
+using Catch::Matchers::Contains;
+using lubjoint::testing::CsvRow;
+using lubjoint::testing::read_csv;
+
+TEST_CASE("bench laws: every law has all its methods, with the errors of their precision and times above zero") {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      lubjoint_program({"bench", "laws", "--quick", "--out", folder / "out"}, {.seconds = 300});
+  INFO(result.out << result.err);
+  REQUIRE(result.status == 0);
+  CHECK_THAT(result.out, Contains("batch") && Contains("times the bound") && Contains("times the batch"));
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const CsvRow& row : read_csv(folder / "out/bench-laws.csv")) {
+    const std::string& method = row.at("method");
+    INFO(row.at("law") << " " << method);
+    CHECK(seen.emplace(row.at("law"), method).second);
+    for (const char* column : {"nanoseconds", "over_bound", "over_batch"}) CHECK(std::stod(row.at(column)) > 0);
+    const double median = std::stod(row.at("median_error"));
+    const double largest = std::stod(row.at("largest_error"));
+    CHECK(std::stoi(row.at("states")) >= (method == "finite_length" ? 4 : 50));
+    if (method == "scalar" || method == "batch") {
+      CHECK((median > 1e-17 && median < 0x1p-52));  // rounding of a dozen operations, some against each other
+      CHECK(largest < 1e-13);                       // the same where terms cancel
+    } else if (method == "long_double") {
+      CHECK((median > 1e-21 && median < 0x1p-62));  // the same in 64 bits
+      CHECK(largest < 1e-16);
+    } else if (method == "quadrature") {
+      CHECK((median > 1e-17 && median < 1e-14));  // a sum of some dozen terms
+    } else {
+      CHECK(method == "finite_length");
+      CHECK((median > 0.01 && median < 3));  // another film: the model error of the law at L/D 2.04
+    }
+  }
+  for (const std::string_view law : lubjoint::film_law_names) {
+    for (const char* method : {"scalar", "batch", "long_double", "quadrature", "finite_length"}) {
+      const bool is_there = seen.contains({std::string(law), method});
+      INFO(law << " " << method);
+      CHECK(is_there == (law != "pinkus_sternlicht" || std::string(method) != "quadrature"));  // no pressure of its own
+    }
+  }
+  const std::vector<CsvRow> batches = read_csv(folder / "out/bench-batch.csv");
+  CHECK(batches.size() == 4);
+  CHECK(folder.entries() == std::set<std::string>{"out", "out/bench-batch.csv", "out/bench-laws.csv"});
+}
+
+TEST_CASE("bench: tables that are none, and scenes without their table, are refused before anything is written") {
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> wrong = {
+      {"bench", "law", "--out", folder / "out"},
+      {"bench", "laws", "--scene", journal_scene_file, "--out", folder / "out"},
+      {"bench", "--scene", folder / "none.toml", "--out", folder / "out"}};
+  const std::vector<std::string> words = {"allowed are laws, quadrature, finite-length, scenes",
+                                          "allowed are both or neither", "none.toml"};
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    const ProgramResult result = lubjoint_program(wrong[i]);
+    CHECK(result.status == 2);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Contains(words[i]));
+    CHECK(folder.entries().empty());
+  }
+}
