@@ -67,8 +67,7 @@ T arc_remainder(const T& y) {
 /// δ, half the length of the film in Sommerfeld's angle.
 template <class T>
 T half_length(const DynamicFrame<T>& frame, const T& root_q) {
-  using std::atan2;
-  return T(atan2(root_q, T(-frame.e1)));
+  return polar_angle(root_q, T(-frame.e1));
 }
 
 }  // namespace lubjoint::detail

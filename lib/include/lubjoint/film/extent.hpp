@@ -37,7 +37,6 @@ struct FilmBounds {
 /// Source: Flores et al. (2009), "the angles θs and θe" before eq. 14.
 template <class T>
 FilmBounds<T> film_bounds(FilmExtent extent, const PolarFilmState<T>& state) {
-  using std::atan2;
   const RealOf<T> half_turn = pi<T>();
   switch (extent) {
     case FilmExtent::full:
@@ -49,7 +48,7 @@ FilmBounds<T> film_bounds(FilmExtent extent, const PolarFilmState<T>& state) {
       break;
   }
   const bool at_rest = value_of(state.slip_rate) == 0 && value_of(state.squeeze_rate) == 0;
-  const T start = at_rest ? T(0) : T(atan2(T(2 * state.squeeze_rate), state.slip_rate));
+  const T start = at_rest ? T(0) : polar_angle(T(2 * state.squeeze_rate), state.slip_rate);
   return {start, T(start + half_turn)};
 }
 

@@ -118,4 +118,18 @@ T one_minus_squared_norm(const T& x, const T& y) {
   }
 }
 
+/// Angle of (x, y), atan2(y, x), in (−π, π]. Derivatives are (x dy − y dx)/(x² + y²); Eigen's own take memory.
+template <class T>
+T polar_angle(const T& y, const T& x) {
+  if constexpr (ScalarTraits<T>::carries_derivatives) {
+    const RealOf<T> square = x.value() * x.value() + y.value() * y.value();
+    T result = T(y * RealOf<T>(x.value() / square) - x * RealOf<T>(y.value() / square));
+    result.value() = polar_angle(y.value(), x.value());
+    return result;
+  } else {
+    using std::atan2;
+    return T(atan2(y, x));
+  }
+}
+
 }  // namespace lubjoint
