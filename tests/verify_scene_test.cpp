@@ -126,8 +126,9 @@ TEST_CASE("verify: a trajectory with a few columns on few times is judged by the
 }
 
 TEST_CASE("verify: a clearance that is one per cent off is named") {
-  check_disagrees(verified("slider-crank", changed_scene_csv("slider-crank", "clearance = 0.0002", "clearance = 0.000202")),
-                  "the clearance of gudgeon-pin were 1.01 times");
+  check_disagrees(
+      verified("slider-crank", changed_scene_csv("slider-crank", "clearance = 0.0002", "clearance = 0.000202")),
+      "the clearance of gudgeon-pin were 1.01 times");
   check_disagrees(verified("journal", changed_scene_csv("journal", "clearance = 0.0002", "clearance = 0.000202")),
                   "the clearance of bearing were 1.01 times");
 }
@@ -168,12 +169,19 @@ TEST_CASE("verify: two bodies whose columns are exchanged are named") {
                   "the columns of crank and rod are exchanged");
 }
 
-TEST_CASE("verify: columns of a joint with bearing and journal exchanged are named") {
+TEST_CASE("verify: bearing and journal exchanged are named, in the columns and in the scene") {
   const auto opposite = [](Row& row) {
     for (const char* column : {"ex", "ey", "fx", "fy"}) row[std::string("gudgeon-pin.") + column] *= -1;
   };
   check_disagrees(verified("slider-crank", changed(simulated_csv("slider-crank"), opposite)),
                   "bearing and journal of gudgeon-pin are exchanged");
+  const std::string other =
+      replaced(replaced(read_text(shipped("slider-crank")), "bearing = {body = \"rod\"", "BEARING = {body = \"rod\""),
+               "journal = {body = \"slider\"", "bearing = {body = \"slider\"");
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", replaced(other, "BEARING", "journal"));
+  check_disagrees(verified("slider-crank", simulated_csv(scene, "slider-crank")),
+                  "bearing and journal of gudgeon-pin were exchanged");
 }
 
 TEST_CASE("verify: the law that a trajectory was made with is named") {

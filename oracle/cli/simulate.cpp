@@ -4,6 +4,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/film_resolution.hpp"
 #include "oracle/reports/journal_report.hpp"
 #include "oracle/reports/model_error.hpp"
 #include "oracle/reports/multibody_report.hpp"
@@ -27,10 +28,12 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<std::
   }
 }
 
-/// Where the film model itself is in doubt.
-void warn(const SceneJoint& joint, const reports::VisitedModelError& error) {
-  const std::string warning = reports::model_warning(joint, error);
-  if (!warning.empty()) std::cerr << warning << '\n';
+/// Where the film model itself is in doubt, or the tolerance too coarse for the film.
+void warn(const Scene& scene, const SceneJoint& joint, double thinnest_film, const reports::VisitedModelError& error) {
+  for (const std::string& warning : {reports::resolution_warning(joint, thinnest_film, scene.run.absolute_tolerance),
+                                     reports::model_warning(joint, error)}) {
+    if (!warning.empty()) std::cerr << warning << '\n';
+  }
 }
 
 }  // namespace
@@ -55,13 +58,14 @@ void add_simulate(CLI::App& app, Action& action) {
       if (is_free_journal(scene)) {
         const JournalTrajectory run = simulate_journal(scene);
         report(scene, run, options->out, options->json);
-        warn(scene.joints[0], reports::visited_model_error(scene, run));
+        warn(scene, scene.joints[0], reports::thinnest_film(scene, run), reports::visited_model_error(scene, run));
         return run.outcome.status == RunStatus::finished ? 0 : 1;
       }
       const MultibodyTrajectory run = simulate_multibody(scene);
       report(scene, run, options->out, options->json);
       for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-        warn(scene.joints[j], reports::visited_model_error(scene, j, run));
+        warn(scene, scene.joints[j], reports::thinnest_film(scene, j, run),
+             reports::visited_model_error(scene, j, run));
       }
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };

@@ -184,8 +184,8 @@ VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<
     // A film at rest has no force to be wrong; beyond 0.99 the finite-length film is not resolved cheaply.
     if (is_zero(film.velocity) || is_zero(film.eccentricity) || !(ratio <= 0.99)) continue;
     const PolarFilmState<double> state = polar_view(film).state;
-    const auto force = finite_length_force(oracle::FiniteFilm::finite_reynolds, bearing, oil, state,
-                                           {1e-2, oracle::FilmOnset::free});
+    const auto force =
+        finite_length_force(oracle::FiniteFilm::finite_reynolds, bearing, oil, state, {1e-2, oracle::FilmOnset::free});
     const double error = with_film_law(
         joint.film, [&]<class Law>() { return difference(film_force<Law>(bearing, oil, state), force).error; });
     errors.push_back(error);
@@ -233,10 +233,9 @@ VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, con
   if (at.film == no_film) return {};
   std::vector<FilmState<double>> films;
   for (const MultibodySample& sample : some_of(run.samples, states)) {
-    const JournalMotion<double> motion =
-        joint_kinematics(motion_of(at.bearing.body, sample.state), at.bearing.point,
-                         motion_of(at.journal.body, sample.state), at.journal.point)
-            .motion;
+    const JournalMotion<double> motion = joint_kinematics(motion_of(at.bearing.body, sample.state), at.bearing.point,
+                                                          motion_of(at.journal.body, sample.state), at.journal.point)
+                                             .motion;
     const Vector2<double> e = motion.eccentricity / at.clearance;
     if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact
     films.push_back(film_state(motion, at.clearance));

@@ -117,13 +117,14 @@ class Candidates {
     list_.push_back(std::move(explanation));
   }
 
-  /// The first that leaves at most one and a half times what the best one leaves.
+  /// The first that leaves at most one and a half times what the best one leaves, or no more than is allowed anyway.
   std::optional<Explanation> best() const {
     double most = 0;
     for (const Explanation& each : list_) most = std::max(most, each.share);
     if (most < 2.0 / 3) return {};
+    const double allowed = deviation_.rms > 0 ? std::ranges::min(deviation_.allowed) / deviation_.rms : 0;
     for (const Explanation& each : list_) {
-      if (1 - each.share <= 1.5 * (1 - most) + 1e-6) return each;
+      if (1 - each.share <= std::max(1.5 * (1 - most) + 1e-6, std::min(allowed, 0.01))) return each;
     }
     return {};
   }

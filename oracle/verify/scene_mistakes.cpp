@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/simulate.hpp"
 
 namespace lubjoint::verify {
 
@@ -41,7 +42,15 @@ void add_body_numbers(std::vector<SceneNumber>& list, const SceneBody& body, std
   }
 }
 
-void add_joint_changes(std::vector<SceneChange>& list, const SceneJoint& joint, std::size_t j) {
+/// Half films slide on the jump of their force, which only a free journal's runs can follow.
+bool can_be_run(std::string_view law, const Scene& scene) {
+  bool runs = true;
+  with_film_law(law, [&]<class Law>() { runs = Law::extent != FilmExtent::half || is_free_journal(scene); });
+  return runs;
+}
+
+void add_joint_changes(std::vector<SceneChange>& list, const Scene& whole, std::size_t j) {
+  const SceneJoint& joint = whole.joints[j];
   list.push_back({"bearing and journal of " + joint.name + " were exchanged",
                   [j](Scene& scene) { std::swap(scene.joints[j].bearing, scene.joints[j].journal); }});
   list.push_back({"the journal's diameter of " + joint.name + " were its radius",
@@ -52,7 +61,7 @@ void add_joint_changes(std::vector<SceneChange>& list, const SceneJoint& joint, 
       {"the clearance of " + joint.name + " had been doubled", [j](Scene& scene) { scene.joints[j].clearance *= 2; }});
   if (joint.film == no_film) return;
   for (const std::string_view law : film_law_names) {
-    if (law == joint.film) continue;
+    if (law == joint.film || !can_be_run(law, whole)) continue;
     list.push_back({"the law of " + joint.name + " were " + std::string(law),
                     [j, law](Scene& scene) { scene.joints[j].film = law; }});
   }
@@ -83,7 +92,7 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
 
 std::vector<SceneChange> changes_of(const Scene& scene) {
   std::vector<SceneChange> list;
-  for (std::size_t j = 0; j < scene.joints.size(); ++j) add_joint_changes(list, scene.joints[j], j);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) add_joint_changes(list, scene, j);
   if (!is_zero(scene.gravity)) {
     list.push_back({"there were no gravity", [](Scene& changed) { changed.gravity = {0, 0}; }});
     list.push_back({"gravity acted the other way", [](Scene& changed) { changed.gravity = -changed.gravity; }});

@@ -80,17 +80,26 @@ class Failing {
     Scene scene = reference_.scene;
     scene.integrator = "radau_iia5";
     scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-9;
+    scene.run.max_steps = std::min(scene.run.max_steps, most_steps);
     return scene;
   }
 
  private:
   const SceneReference& reference_;
   const std::vector<Deviation>& deviations_;
+  /// Ten times what the longest shipped scene takes; a change that needs more is no likely mistake.
+  static constexpr std::size_t most_steps = 20'000;
+
   std::vector<double> error_;
 };
 
-/// What explanations of the single signals amount to.
-std::vector<Suspect> common_suspects(const TrajectoryVerification& v, const Failing& failing) {
+/// What explanations of the single signals amount to: one cause of all, or a list of them.
+struct CommonSuspect {
+  Suspect suspect{"", 0};
+  bool one_cause = false;
+};
+
+std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, const Failing& failing) {
   double left = 0;
   std::vector<double> delays;
   std::size_t count = 0, explained = 0, offsets = 0;
@@ -117,8 +126,10 @@ std::vector<Suspect> common_suspects(const TrajectoryVerification& v, const Fail
   const double share = 1 - std::sqrt(left) / norm(failing.error());
   const auto [least, most] = std::ranges::minmax_element(delays);
   // What grows evenly, as a driven angle, is offset when it is late.
-  if (!delays.empty() && delays.size() + offsets == count && offsets < delays.size() && *most - *least <= 0.02 * std::abs(*most)) {
-    return {{fmt::format("the whole trajectory is {:.4g} s {}", std::abs(*most), *most > 0 ? "late" : "early"), share}};
+  if (!delays.empty() && delays.size() + offsets == count && offsets < delays.size() &&
+      *most - *least <= 0.02 * std::abs(*most)) {
+    const char* side = *most > 0 ? "late" : "early";
+    return CommonSuspect{{fmt::format("the whole trajectory is {:.4g} s {}", std::abs(*most), side), share}, true};
   }
   for (const auto& [owner, kinds] : opposite) {
     if (!kinds.contains(SignalKind::eccentricity) || !kinds.contains(SignalKind::force)) continue;
@@ -134,7 +145,7 @@ std::vector<Suspect> common_suspects(const TrajectoryVerification& v, const Fail
   }
   std::string all;
   for (const std::string& line : words) all += (all.empty() ? "" : "; ") + line;
-  return {{all, share}};
+  return CommonSuspect{{all, share}, words.size() == 1};
 }
 
 /// A number of the scene whose factor is fitted, by Gauss and Newton.
@@ -227,8 +238,11 @@ std::optional<Suspect> inaccurate(const Failing& failing) {
 std::vector<Suspect> suspects(const SceneReference& reference, const TrajectoryVerification& verification,
                               const std::function<void()>& progress) {
   const Failing failing(reference, verification);
-  std::vector<Suspect> list = common_suspects(verification, failing);
-  if (!list.empty() && list.front().share >= 0.98) return list;
+  std::vector<Suspect> list;
+  if (const auto common = common_suspect(verification, failing)) {
+    list.push_back(common->suspect);
+    if (common->one_cause && common->suspect.share >= 0.98) return list;
+  }
   for (const Suspect& suspect : scene_suspects(reference, failing, progress)) list.push_back(suspect);
   std::erase_if(list, [](const Suspect& suspect) { return suspect.share < 2.0 / 3; });
   std::ranges::stable_sort(list, std::ranges::greater(), &Suspect::share);

@@ -13,6 +13,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/film_resolution.hpp"
 #include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/parallel.hpp"
 #include "oracle/reports/progress.hpp"
@@ -29,7 +30,8 @@ struct StressRun {
   std::vector<double> times;
   std::vector<Vector2<double>> positions;  ///< ê at these times
   double seconds = 0;
-  std::string fault;  ///< what no run may do; empty if it did not
+  double thinnest_film = 1;  ///< in clearances
+  std::string fault;         ///< what no run may do; empty if it did not
 };
 
 void look_at(const Vector2<double>& e_hat, double t, const Vector2<double>& force, bool may_touch, StressRun& run) {
@@ -49,6 +51,7 @@ StressRun run_journal(const Scene& scene) {
   const JournalTrajectory trajectory = simulate_journal(scene);
   run.outcome = trajectory.outcome;
   run.seconds = trajectory.wall_seconds;
+  run.thinnest_film = thinnest_film(scene, trajectory);
   for (const JournalSample& sample : trajectory.samples) {
     look_at({sample.state[0], sample.state[1]}, sample.t, sample.force, false, run);
   }
@@ -61,6 +64,7 @@ StressRun run_multibody(const Scene& scene) {
   const MultibodyTrajectory trajectory = simulate_multibody(scene);
   run.outcome = trajectory.outcome;
   run.seconds = trajectory.wall_seconds;
+  run.thinnest_film = thinnest_film(scene, 0, trajectory);
   const SceneJoint& joint = scene.joints.front();
   for (const MultibodySample& sample : trajectory.samples) {
     const JointSample& at = sample.joints.front();
@@ -167,12 +171,15 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
                   run.seconds,
                   run.outcome.steps + run.outcome.rejected_steps,
                   run.outcome.message};
+  if (finished) {
+    cell.message = resolution_warning(scene.joints.front(), run.thinnest_film, scene.run.absolute_tolerance);
+  }
   if (!run.fault.empty()) {
     cell.status = StressStatus::wrong;
     cell.message = run.fault;
   } else if (reference.run) {
     cell.error = distance(run, *reference.run);
-    const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement);
+    const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement, run.thinnest_film);
     if (!(*cell.error <= limit)) {
       cell.status = StressStatus::wrong;
       cell.message = fmt::format("error {:.1e} where the tolerance of {:.0e} lets one expect less than {:.0e}",
@@ -180,7 +187,7 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
       if (!finished) cell.message += "; " + run.outcome.message;
     }
   } else if (finished) {
-    cell.message = reference.why_none;
+    cell.message += (cell.message.empty() ? "" : "; ") + reference.why_none;
   }
   cell.message = without_commas(cell.message);
   return cell;
@@ -217,8 +224,9 @@ const char* stress_status_name(StressStatus status) {
   return status == StressStatus::finished ? "finished" : status == StressStatus::stopped ? "stopped" : "wrong";
 }
 
-double stress_error_limit(double tolerance, double reference_agreement) {
-  return std::max({1e3 * tolerance, 1e-3, 10 * reference_agreement});
+double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film) {
+  const double coarse = tolerance / (coarse_share * std::max(thinnest_film, std::numeric_limits<double>::min()));
+  return std::max({1e3 * tolerance, 1e-3, 10 * reference_agreement}) * std::max(1.0, coarse);
 }
 
 StressSettings stress_settings(bool quick) {

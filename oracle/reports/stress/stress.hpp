@@ -44,9 +44,11 @@ struct StressSettings {
 /// @param quick  two laws and few steps: less than a minute
 StressSettings stress_settings(bool quick);
 
-/// The error above which a finished run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times
-/// what two references differ by (a motion that amplifies every rounding has no better reference).
-double stress_error_limit(double tolerance, double reference_agreement);
+/// The error above which a run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times what two
+/// references differ by (a motion that amplifies every rounding has no better reference). Where the tolerance is more
+/// than a thousandth of the thinnest film, of which a run warns, so many times more.
+/// @param thinnest_film  of the run, in clearances
+double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film);
 
 /// What a resume file begins with: the cases, laws, integrators and limits whose cells it keeps.
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);

@@ -110,7 +110,7 @@ class ModeRun {
       }
       rejections = 0;
       ++outcome_.steps;
-      if (last) dt = std::max(dt, wanted);
+      if (last && t_end - t <= shortest * t_end) dt = std::max(dt, wanted);
       if constexpr (Mode::margin_count > 0) {
         if (const std::optional<Crossing> crossing = find_crossing()) {
           stop_at(*crossing, t, y);

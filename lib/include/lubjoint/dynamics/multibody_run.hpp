@@ -104,7 +104,7 @@ class MultibodyRun {
       const R goal = next_stop(t_end);
       const bool last = dt_ >= goal - t_;
       if (last) dt_ = goal - t_;
-      if (!method_->try_step(ode_, y_, t_, dt_) || !accept(last, goal)) {
+      if (!method_->try_step(ode_, y_, t_, dt_) || !accept(last && goal - t_ <= R(1e-9) * (goal - step->t_old), goal)) {
         if (t_ > step->t_old) {
           dt_ = (t_ - step->t_old) / 2;
           method_->reset();
@@ -118,7 +118,7 @@ class MultibodyRun {
         continue;
       }
       ++outcome_.steps;
-      if (last) dt_ = std::max<R>(dt_, wanted);
+      if (last && t_ == goal) dt_ = std::max<R>(dt_, wanted);
       close(*step);
       if (ode_.has_contact() && find_event(*step)) {
         if (!resolve_event(*step)) return;
@@ -149,6 +149,7 @@ class MultibodyRun {
   }
 
   /// Every number is one and every film exists at the new state.
+  /// @param last  the step was to end at the goal, and has ended there: an integrator may have made it shorter
   bool accept(bool last, const R& goal) {
     for (const R& value : y_) {
       if (!std::isfinite(static_cast<double>(value))) return false;

@@ -202,7 +202,11 @@ class PlanarSystem {
   /// d(g − Φqᵀλ − M q̈) = 0 and d(Φq q̈ − wanted) = 0 with q̈ and λ held give the right-hand sides of dq̈ and dλ.
   template <class T>
   void solve(SystemWorkspace<T>& w) const {
-    auto& [rows, a, lambda, da, dlambda] = w.implicit;
+    const auto& rows = w.implicit.rows;
+    auto& a = w.implicit.accelerations;
+    auto& lambda = w.implicit.multipliers;
+    auto& da = w.implicit.d_accelerations;
+    auto& dlambda = w.implicit.d_multipliers;
     const std::size_t n = coordinates();
     for (std::size_t i = 0; i < n; ++i) a[i] = inverse_mass_[i / 3][i % 3] * value_of(w.forces[i]);
     for (std::size_t i = 0; i < rows.size(); ++i) {

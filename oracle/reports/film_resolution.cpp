@@ -1,0 +1,40 @@
+#include "oracle/reports/film_resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lubjoint::reports {
+
+namespace {
+
+/// Below this, steps are bound by rounding and not by the tolerance.
+constexpr double tightest = 1e-13;
+
+}  // namespace
+
+double thinnest_film(const Scene& scene, const JournalTrajectory& run) {
+  return run.min_film_thickness / scene.joints.front().clearance;
+}
+
+double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run) {
+  const SceneJoint& at = scene.joints[joint];
+  if (at.film == no_film) return 1;
+  const double gap = 1 - run.joints[joint].eccentricity.value / at.clearance;
+  return at.transition ? std::max(gap, 0.0) + at.transition->e1 / at.clearance : gap;
+}
+
+std::string resolution_warning(const SceneJoint& joint, double thinnest, double tolerance) {
+  if (tolerance <= coarse_share * thinnest) return {};
+  const double needed = std::pow(10, std::floor(std::log10(coarse_share * std::max(thinnest, 1e-300))));
+  const std::string share = tolerance < thinnest ? fmt::format("{:.1g} % of", 100 * tolerance / thinnest) : "more than";
+  return fmt::format(
+      "warning: the tolerance of {:.0e} clearances is {} the thinnest film in joint \"{}\", {:.1e} clearances: places "
+      "may be off by much more than the tolerance. {}",
+      tolerance, share, joint.name, thinnest,
+      needed >= tightest ? fmt::format("Tolerance {:.0e} would resolve it.", needed)
+                         : "No tolerance resolves it in double precision.");
+}
+
+}  // namespace lubjoint::reports

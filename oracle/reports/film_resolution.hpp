@@ -1,0 +1,25 @@
+/// Is the tolerance of a run small against the thinnest film in it?
+#pragma once
+
+#include <string>
+
+#include "lubjoint/scene/simulate.hpp"
+
+namespace lubjoint::reports {
+
+/// A run's tolerance of places may be so large a share of its thinnest film: the force and the rate at which a journal
+/// creeps along the wall follow the thickness, to a power of ½ to 5/2.
+inline constexpr double coarse_share = 1e-3;
+
+/// The thinnest film of a joint, over its clearance; 1 for a joint without a film. A film that gives way to contact is
+/// widened by the transition's e₁, and no thinner.
+double thinnest_film(const Scene& scene, const JournalTrajectory& run);
+/// The same of one of several joints.
+double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run);
+
+/// Says that the tolerance is too coarse for the film, and which would do; empty if it is not.
+/// @param thinnest  as above
+/// @param tolerance  of places, in clearances
+std::string resolution_warning(const SceneJoint& joint, double thinnest, double tolerance);
+
+}  // namespace lubjoint::reports
