@@ -28,9 +28,6 @@ bool has_contact(const Scene& scene);
 /// A slider-crank that starts extended, driven, with one Pinkus–Sternlicht film and no contact.
 bool has_minimal_coordinates(const Scene& scene);
 
-/// Tolerance of minimal coordinates where all digits of the extended precision are wanted.
-inline constexpr double extended_minimal_tolerance = 1e-16;
-
 /// The scene in minimal coordinates, in 64-bit significands by Fehlberg's 7(8).
 /// @param times  ascending, the first 0
 /// @param start  (q, q̇) of all bodies, the crank at 0; empty: e = 0 and the ideal velocities

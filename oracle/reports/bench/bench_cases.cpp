@@ -249,21 +249,23 @@ BenchScene bench_scene(const Scene& scene) {
     result.cases.push_back(journal_case(scene, times, other));
     return result;
   }
-  const ExtendedRun run = extended_multibody_run(scene, times.front(), ExtendedMethod::radau);
+  const auto extended = [&](ExtendedMethod method) {
+    return extended_multibody_run(scene, times.front(), method, extended_tolerance(method));
+  };
+  const ExtendedRun run = extended(ExtendedMethod::radau);
   const Reference absolute = looked_at(scene, run.samples);
   Reference other;
   if (has_minimal_coordinates(scene)) {
     std::vector<double> from_start{0};
     from_start.insert(from_start.end(), times.begin(), times.end());
-    for (const ReferenceSample& sample :
-         minimal_coordinates_run(scene, from_start, extended_minimal_tolerance, run.start)) {
+    for (const ReferenceSample& sample : minimal_coordinates_run(scene, from_start, 1e-16, run.start)) {
       other.push_back(sample.eccentricity_ratio);
     }
     other.erase(other.begin());
     result.cases.push_back(std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene),
                                                          scene.run.duration, times, other));
   } else {
-    other = looked_at(scene, extended_multibody_run(scene, times.front(), ExtendedMethod::fehlberg).samples);
+    other = looked_at(scene, extended(ExtendedMethod::fehlberg).samples);
   }
   result.reference_agreement = worst_difference(absolute, other);
   if (has_contact(scene)) {

@@ -17,14 +17,6 @@ namespace {
 
 using Real = long double;
 
-/// Radau's estimate is of order 3: it needs more of the tolerance than the explicit pair of order 8.
-constexpr double radau_tolerance = 1e-14;
-constexpr double fehlberg_tolerance = 1e-15;
-
-double tolerance_of(ExtendedMethod method) {
-  return method == ExtendedMethod::radau ? radau_tolerance : fehlberg_tolerance;
-}
-
 template <std::size_t N>
 std::unique_ptr<Integrator<Real, N>> integrator_of(ExtendedMethod method, const StepTolerance<Real, N>& tolerance) {
   if (method == ExtendedMethod::radau) return std::make_unique<RadauIntegrator<Real, N>>(tolerance);
@@ -51,6 +43,11 @@ class ExtendedJournal final : public OdeSystem<Real, 4> {
 
 }  // namespace
 
+double extended_tolerance(ExtendedMethod method) {
+  // Radau's estimate is of order 3: it asks for more of a tolerance than the explicit pair's of order 8.
+  return method == ExtendedMethod::radau ? 1e-14 : 1e-15;
+}
+
 Reference extended_journal_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method) {
   const JournalScene parts = journal_scene(scene);
   return with_film_law(scene.joints[0].film, [&]<class Law>() -> Reference {
@@ -58,7 +55,7 @@ Reference extended_journal_run(const Scene& scene, const std::vector<double>& ti
       throw std::invalid_argument(std::string(Law::name) + ": allowed here are laws without a jump");
     } else {
       ExtendedJournal<Law> system(parts);
-      const Real tolerance(tolerance_of(method));
+      const Real tolerance(extended_tolerance(method));
       const Real velocity = tolerance * 1000;  // rates of ê reach thousands a second
       const auto integrator =
           integrator_of<4>(method, {tolerance, {tolerance, tolerance, velocity, velocity}, tolerance});
@@ -82,10 +79,11 @@ Reference extended_journal_run(const Scene& scene, const std::vector<double>& ti
   });
 }
 
-ExtendedRun extended_multibody_run(const Scene& given, double output_interval, ExtendedMethod method) {
+ExtendedRun extended_multibody_run(const Scene& given, double output_interval, ExtendedMethod method,
+                                   double tolerance) {
   Scene scene = given;
   scene.energy_ledger = false;
-  scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance_of(method);
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
   scene.run.output_interval = output_interval;
   scene.run.stop_at_outputs = true;
   const PlanarSystem<Real> system = planar_system<Real>(scene);

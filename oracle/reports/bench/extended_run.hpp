@@ -22,9 +22,13 @@ struct ExtendedRun {
   std::vector<MultibodySample> samples;  ///< rounded to double when all is done; the first at t = 0
 };
 
+/// Tolerance of a step that leaves errors of some 1e-12 of a clearance, a good reference for double precision.
+double extended_tolerance(ExtendedMethod method);
+
 /// Every output is the end of a step: no sample is interpolated. Without energy ledger.
+/// @param tolerance  of a step, as the scene's own
 /// @throws std::runtime_error if the run stops
-ExtendedRun extended_multibody_run(const Scene& scene, double output_interval, ExtendedMethod method);
+ExtendedRun extended_multibody_run(const Scene& scene, double output_interval, ExtendedMethod method, double tolerance);
 
 /// ê of the first joint at every sample after the start; without joints, what looked_at_without_joints says.
 Reference looked_at(const Scene& scene, const std::vector<MultibodySample>& samples);

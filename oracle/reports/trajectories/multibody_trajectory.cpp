@@ -63,19 +63,48 @@ std::vector<double> row_of(const Scene& scene, const MultibodySample& sample) {
   return row;
 }
 
-Values rows_of(const Scene& scene, const std::vector<MultibodySample>& samples) {
+constexpr int outputs = 100;
+
+/// Of a step: what rounding to 64 bits leaves of it is of the same size.
+constexpr double tolerance = 1e-17;
+
+/// Into so many pieces each output interval is cut for Fehlberg's pair, a step at most a piece: its estimate sees
+/// little of the kink of a Pinkus–Sternlicht film at ε̇ = 0. Radau's sees it.
+constexpr int fehlberg_pieces = 1000;
+
+double interval_of(const Scene& scene) { return scene.run.duration / outputs; }
+
+/// Rows at the output times, of a run with so many samples between.
+Values rows_of(const Scene& scene, const std::vector<MultibodySample>& samples, std::size_t pieces) {
   Values rows;
-  for (std::size_t i = 1; i < samples.size(); ++i) rows.push_back(row_of(scene, samples[i]));
+  for (std::size_t i = 1; i <= outputs; ++i) rows.push_back(row_of(scene, samples.at(i * pieces)));
   return rows;
 }
 
+Values fehlberg_rows(const Scene& scene) {
+  const int pieces =
+      scene.joints.empty() ? 1 : fehlberg_pieces;  // ideal joints have no kink, and short steps round more
+  const ExtendedRun run =
+      extended_multibody_run(scene, interval_of(scene) / pieces, ExtendedMethod::fehlberg, tolerance);
+  return rows_of(scene, run.samples, static_cast<std::size_t>(pieces));
+}
+
+/// @param times  the outputs, the first 0
 Values minimal_rows(const Scene& scene, const std::vector<double>& times, const std::vector<long double>& start) {
+  std::vector<double> stops;
+  for (std::size_t i = 0; i < outputs; ++i) {
+    for (int piece = 0; piece < fehlberg_pieces; ++piece) {
+      stops.push_back(times[i] + (times[i + 1] - times[i]) * piece / fehlberg_pieces);
+    }
+  }
+  stops.push_back(times.back());
+  const std::vector<ReferenceSample> samples = minimal_coordinates_run(scene, stops, tolerance, start);
   Values rows;
-  for (const ReferenceSample& sample : minimal_coordinates_run(scene, times, extended_minimal_tolerance, start)) {
+  for (std::size_t i = 1; i <= outputs; ++i) {
+    const ReferenceSample& sample = samples[i * fehlberg_pieces];
     rows.push_back({sample.eccentricity_ratio.x(), sample.eccentricity_ratio.y(), sample.force.x(), sample.force.y(),
                     sample.driving_moment});
   }
-  rows.erase(rows.begin());
   return rows;
 }
 
@@ -125,23 +154,21 @@ std::string rounded(double value, double size) {
 }  // namespace
 
 ReferenceCsv multibody_reference(const Scene& scene) {
-  constexpr int rows_wanted = 100;
-  const double interval = scene.run.duration / rows_wanted;
-  const ExtendedRun radau = extended_multibody_run(scene, interval, ExtendedMethod::radau);
+  const ExtendedRun run = extended_multibody_run(scene, interval_of(scene), ExtendedMethod::radau, tolerance);
   std::vector<double> times;
-  for (const MultibodySample& sample : radau.samples) times.push_back(sample.t);
-  std::vector<Values> others = {rows_of(scene, radau.samples)};
+  for (const MultibodySample& sample : run.samples) times.push_back(sample.t);
+  const Values radau = rows_of(scene, run.samples, 1);
   Values printed;
+  std::vector<Values> others;
   if (has_minimal_coordinates(scene)) {
-    printed = minimal_rows(scene, times, radau.start);
+    printed = minimal_rows(scene, times, run.start);
+    others = {radau};
+  } else if (is_ideal_slider_crank(scene)) {
+    for (std::size_t i = 1; i <= outputs; ++i) printed.push_back(closed_form(scene, times[i]));
+    others = {radau, fehlberg_rows(scene)};
   } else {
-    Values fehlberg = rows_of(scene, extended_multibody_run(scene, interval, ExtendedMethod::fehlberg).samples);
-    if (is_ideal_slider_crank(scene)) {
-      for (std::size_t i = 1; i < times.size(); ++i) printed.push_back(closed_form(scene, times[i]));
-      others.push_back(std::move(fehlberg));
-    } else {
-      printed = std::move(fehlberg);
-    }
+    printed = radau;
+    others = {fehlberg_rows(scene)};
   }
   const Columns columns = columns_of(scene);
   std::vector<double> apart(printed.size(), 0.0);

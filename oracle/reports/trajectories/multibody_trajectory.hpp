@@ -22,7 +22,7 @@ struct ReferenceCsv {
 /// |---|---|---|
 /// | slider-crank with one film | minimal coordinates, Fehlberg 7(8) | absolute coordinates, Radau IIA(5) |
 /// | slider-crank, ideal and driven | closed form | absolute coordinates, both integrators |
-/// | any other | absolute coordinates, Fehlberg 7(8) | absolute coordinates, Radau IIA(5) |
+/// | any other | absolute coordinates, Radau IIA(5) | absolute coordinates, Fehlberg 7(8) |
 ///
 /// Numbers are printed to 1e-15 or better of the vector's largest size along the trajectory.
 /// @throws std::runtime_error if a run stops
