@@ -7,6 +7,7 @@
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/csv_table.hpp"
+#include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/stress/stress_report.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -142,7 +143,8 @@ TEST_CASE("stress: a resumed run equals an uninterrupted one, and any number of 
   const TemporaryFolder folder;
   std::vector<StressCell> so_far(whole.begin(), whole.begin() + 8);
   for (StressCell& cell : so_far) cell.seconds = 12345;
-  settings.resume_file = folder.write("stress.part", "# " + stress_key(cases, settings) + "\n" + stress_csv(so_far));
+  settings.resume_file =
+      folder.write("stress.part", KeptRows::first_line(stress_key(cases, settings)) + stress_csv(so_far));
   const auto resumed = run_stress(cases, settings);
   REQUIRE(resumed.size() == whole.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -150,6 +152,9 @@ TEST_CASE("stress: a resumed run equals an uninterrupted one, and any number of 
     CHECK(same_but_for_time(whole[i], resumed[i]));
     CHECK((resumed[i].seconds == 12345) == (i < 8));
   }
+  CHECK(KeptRows(settings.resume_file, stress_key(cases, settings), "").earlier()->rows() ==
+        18);  // until it is discarded
+  discard_kept_rows(settings.resume_file);
   CHECK(folder.entries().empty());  // nothing is left to resume
 
   // Rows of another campaign are left aside.

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "oracle/verify/foreign_program.hpp"
+#include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 
 using namespace lubjoint;
@@ -130,6 +131,19 @@ TEST_CASE("verify: a hanging program is stopped with all that it started, in the
   CHECK_THROWS_AS(run_program({"sh", "-c", "sleep 30 | cat"}, "x\n", std::chrono::duration<double>(0.2)),
                   UnjudgedError);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+}
+
+TEST_CASE("verify: whatever interrupts it ends the program that it has started, and all that this one has") {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const test::TemporaryFolder folder;
+    const std::string late = folder / "late";
+    const test::ProgramResult result = test::lubjoint_program(
+        {"verify", "--law", "short_full", "--", "sh", "-c", "(sleep 0.6; echo > '" + late + "'); cat"},
+        {.signal = signal, .signal_after = 0.3});
+    CHECK(result.status == 128 + signal);
+    std::this_thread::sleep_for(std::chrono::milliseconds(900));  // when the file would long be there
+    CHECK_FALSE(fs::exists(late));
+  }
 }
 
 TEST_CASE("verify: a program may answer while it still reads, or not read at all") {

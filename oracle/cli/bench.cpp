@@ -8,6 +8,7 @@
 #include "oracle/reports/bench/law_bench.hpp"
 #include "oracle/reports/bench/scene_bench.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/quadrature_bench.hpp"
 
 namespace lubjoint::cli {
@@ -79,6 +80,7 @@ void bench_scenes(const BenchOptions& options) {
   std::cout << reports::scene_bench_table(bench);
   options.save("bench-scenes.csv", reports::scene_bench_csv(bench));
   if (options.out) reports::draw_scene_bench(bench, *options.out);
+  reports::discard_kept_rows(settings.resume_file);
 }
 
 constexpr std::array bench_tables = {

@@ -8,6 +8,7 @@
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/stress/stress_report.hpp"
 
 namespace lubjoint::cli {
@@ -71,6 +72,7 @@ void add_stress(CLI::App& app, Action& action) {
         const std::filesystem::path folder = *options->out;
         reports::write_file(folder / "stress.csv", reports::stress_csv(cells));
         reports::draw_stress(cells, folder);
+        reports::discard_kept_rows(settings.resume_file);
         std::cerr << "written: " << (folder / "stress.csv").string() << ", stress.svg and stress.png beside it\n";
       }
       std::cout << reports::stress_table(cases, cells);

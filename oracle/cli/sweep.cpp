@@ -11,6 +11,7 @@
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/parallel.hpp"
+#include "oracle/reports/program_identity.hpp"
 #include "oracle/reports/progress.hpp"
 #include "oracle/reports/sweep_store.hpp"
 
@@ -74,16 +75,6 @@ Sweep make_sweep(const Options& options) {
   return Sweep(std::move(file), SweepGrid(std::move(keys)), [options](Scene& scene) { options.change(scene); });
 }
 
-/// This very program: other code may give other bits.
-std::string program_identity() {
-  std::string text = LUBJOINT_VERSION;
-  try {
-    text += " " + reports::sha256(reports::read_input("/proc/self/exe"));
-  } catch (const std::invalid_argument&) {  // no such file on this system: the version has to do
-  }
-  return text;
-}
-
 reports::SweepIdentity identity(const Options& options, const Sweep& sweep) {
   std::string grid;
   for (const SweptKey& swept : sweep.grid().keys()) {
@@ -97,7 +88,7 @@ reports::SweepIdentity identity(const Options& options, const Sweep& sweep) {
   if (options.rtol) changes += "rtol " + reports::number(*options.rtol) + " ";
   if (options.duration) changes += "duration " + reports::number(*options.duration);
   return {{"format", "lubjoint sweep 1"},
-          {"program", program_identity()},
+          {"program", reports::program_identity()},
           {"scene", reports::sha256(sweep.file().text())},
           {"options", changes},
           {"grid", reports::sha256(grid)}};

@@ -135,6 +135,7 @@ int run(const VerifyOptions& o) {
     if (o.states_out == "-") {
       std::cout << csv;
     } else {
+      reports::prepare_file(o.states_out);
       reports::write_file(o.states_out, csv);
     }
     return 0;

@@ -27,12 +27,13 @@ void prepare_folder(const fs::path& folder) {
                       "; allowed is a folder that can be written to");
   };
   std::error_code error;
-  fs::create_directories(folder, error);
+  const bool is_new = fs::create_directories(folder, error);
   if (error) refuse("can't be made", error.message());
   if (!fs::is_directory(folder, error)) refuse("can't be made", "a file of that name is there");
   try {
     TemporaryFile(folder / "probe").write("?");
   } catch (const OutputError& probe) {
+    if (is_new) fs::remove(folder, error);
     refuse("can't be written to", probe.reason());
   }
   remove_unfinished_files(folder);

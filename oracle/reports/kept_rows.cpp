@@ -1,29 +1,35 @@
 #include "oracle/reports/kept_rows.hpp"
 
-#include <fstream>
-#include <sstream>
-
 #include "oracle/reports/files.hpp"
+#include "oracle/reports/program_identity.hpp"
 
 namespace lubjoint::reports {
 
-KeptRows::KeptRows(std::optional<std::filesystem::path> file, const std::string& key, const std::string& header)
-    : file_(std::move(file)), head_("# " + key + "\n" + header) {
+std::string KeptRows::first_line(const std::string& campaign) {
+  return "# " + campaign + "; program " + program_identity() + "\n";
+}
+
+KeptRows::KeptRows(std::optional<std::filesystem::path> file, const std::string& campaign, const std::string& header)
+    : file_(std::move(file)) {
   if (!file_) return;
-  std::ifstream stream(*file_, std::ios::binary);
-  std::string first;
-  if (!std::getline(stream, first) || first != "# " + key) return;
-  std::ostringstream rest;
-  rest << stream.rdbuf();
-  earlier_.emplace(rest.str(), file_->string());
+  const std::string first = first_line(campaign);
+  text_ = first + header;
+  std::error_code unreadable;  // then there is nothing to be taken up
+  if (!std::filesystem::is_regular_file(*file_, unreadable)) return;
+  std::string text = read_input(file_->string());
+  if (!text.starts_with(first)) return;
+  earlier_.emplace(std::string_view(text).substr(first.size()), file_->string());
+  text_ = std::move(text);
 }
 
-void KeptRows::keep(std::string_view rows) const {
-  if (file_) write_file(*file_, head_ + std::string(rows));
+void KeptRows::add(std::string_view rows) {
+  if (!file_) return;
+  text_ += rows;
+  write_file(*file_, text_);
 }
 
-void KeptRows::discard() const {
-  if (file_) std::filesystem::remove(*file_);
+void discard_kept_rows(const std::optional<std::filesystem::path>& file) {
+  if (file) std::filesystem::remove(*file);
 }
 
 }  // namespace lubjoint::reports

@@ -10,28 +10,31 @@
 
 namespace lubjoint::reports {
 
-/// CSV rows of a campaign that was interrupted. The file's first line, the key, says of which campaign they are: rows
-/// of another one are left aside. Without a file nothing is kept.
+/// CSV rows of a campaign from its first until its results are written. The file's first line says of which campaign
+/// they are, and of which program: rows of another one are left aside. Without a file nothing is kept.
 class KeptRows {
  public:
-  /// @param key     of the campaign, one line: everything that its rows depend on
-  /// @param header  of the rows, with its line end
+  /// @param campaign  one line: everything that its rows depend on but the program
+  /// @param header    of the rows, with its line end
   /// @throws CsvError if the file is of this campaign and its rows can't be read
-  KeptRows(std::optional<std::filesystem::path> file, const std::string& key, const std::string& header);
+  KeptRows(std::optional<std::filesystem::path> file, const std::string& campaign, const std::string& header);
+
+  /// What the file of a campaign begins with, with its line end.
+  static std::string first_line(const std::string& campaign);
 
   /// Rows of the campaign so far, before this run.
   const std::optional<CsvTable>& earlier() const { return earlier_; }
 
-  /// Replaces the rows in the file, all of them or none. @throws OutputError
-  void keep(std::string_view rows) const;
-
-  /// The campaign is complete.
-  void discard() const;
+  /// Adds rows, each with its line end, to those in the file: all of them or none. @throws OutputError
+  void add(std::string_view rows);
 
  private:
   std::optional<std::filesystem::path> file_;
-  std::string head_;
+  std::string text_;
   std::optional<CsvTable> earlier_;
 };
+
+/// The campaign is complete and its results are where they belong: nothing is left to take up.
+void discard_kept_rows(const std::optional<std::filesystem::path>& file);
 
 }  // namespace lubjoint::reports

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "oracle/verify/answers.hpp"
@@ -69,6 +70,41 @@ class BrokenPipesIgnored {
   void (*before_)(int);
 };
 
+/// While this lives, a signal that ends us ends that program first: an interrupt from the terminal does not reach a
+/// process group of its own.
+class EndsWithUs {
+ public:
+  explicit EndsWithUs(pid_t group) {
+    group_ = group;
+    struct sigaction action {};
+    action.sa_handler = end_both;
+    sigfillset(&action.sa_mask);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      ::sigaction(signals[i], nullptr, &before_[i]);
+      if (before_[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);  // nohup
+    }
+  }
+  ~EndsWithUs() {
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
+  }
+  EndsWithUs(const EndsWithUs&) = delete;
+  EndsWithUs& operator=(const EndsWithUs&) = delete;
+
+ private:
+  static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+  static void end_both(int signal) {
+    ::kill(-group_, SIGKILL);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (signals[i] == signal) ::sigaction(signal, &before_[i], nullptr);
+    }
+    ::raise(signal);  // as it would have been, when this returns
+  }
+
+  static inline volatile std::sig_atomic_t group_ = 0;
+  static inline std::array<struct sigaction, signals.size()> before_;
+};
+
 /// A running program, head of its own process group; killed and reaped if its owner gives up.
 class Child {
  public:
@@ -96,6 +132,7 @@ class Child {
       id_ = -1;
       throw UnjudgedError(fmt::format("\"{}\" can't be started: {}", command[0], std::strerror(failure)));
     }
+    ends_with_us_.emplace(id_);
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -115,11 +152,13 @@ class Child {
       ::usleep(1000);
     }
     id_ = -1;
+    ends_with_us_.reset();
     return status;
   }
 
  private:
   pid_t id_ = -1;
+  std::optional<EndsWithUs> ends_with_us_;
 };
 
 /// Appends what can be read. False at the end of the stream.

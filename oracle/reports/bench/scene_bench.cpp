@@ -10,6 +10,7 @@
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/gnuplot.hpp"
+#include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/progress.hpp"
 
@@ -34,7 +35,7 @@ std::string csv_line(const BenchRow& row) {
 std::string campaign_key(const SceneBenchSettings& settings, const std::vector<Scene>& scenes) {
   std::string key = fmt::format("repeats {} seconds {} tolerances", settings.limits.repeats, settings.limits.seconds);
   for (const double tolerance : settings.tolerances) key += " " + number(tolerance);
-  for (const Scene& scene : scenes) key += " " + scene.file;
+  for (const Scene& scene : scenes) key += " " + scene.file + " " + sha256(read_input(scene.file));
   return key;
 }
 
@@ -77,13 +78,7 @@ class Ledger {
     return nullptr;
   }
 
-  void keep(const std::vector<BenchRow>& rows) const {
-    std::string text;
-    for (const BenchRow& row : rows) text += csv_line(row);
-    kept_.keep(text);
-  }
-
-  void discard() const { kept_.discard(); }
+  void add(const BenchRow& row) { kept_.add(csv_line(row)); }
 
  private:
   KeptRows kept_;
@@ -135,7 +130,7 @@ SceneBenchSettings scene_bench_settings(bool quick) {
 SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings) {
   SceneBench bench;
   bench.with_sundials = !sundials_methods().empty();
-  const Ledger ledger(settings, scenes);
+  Ledger ledger(settings, scenes);
   ProgressBar progress("bench", scenes.size());
   for (const Scene& scene : scenes) {
     const BenchScene made = bench_scene(scene);
@@ -148,15 +143,14 @@ SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettin
             row = *known;
           } else {
             row.run = each->run(method, tolerance, settings.limits);
+            ledger.add(row);
           }
           bench.rows.push_back(row);
-          ledger.keep(bench.rows);
         }
       }
     }
     progress.advance();
   }
-  ledger.discard();
   return bench;
 }
 

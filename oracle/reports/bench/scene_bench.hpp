@@ -36,6 +36,7 @@ struct SceneBenchSettings {
   std::vector<double> tolerances;
   BenchLimits limits;
   /// Rows so far are kept here after every one of them, and taken up again if the settings are the same.
+  /// Whoever has written the results removes it (discard_kept_rows).
   std::optional<std::filesystem::path> resume_file;
 };
 

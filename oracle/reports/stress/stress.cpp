@@ -14,6 +14,7 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/film_resolution.hpp"
+#include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/kept_rows.hpp"
 #include "oracle/reports/parallel.hpp"
 #include "oracle/reports/progress.hpp"
@@ -244,7 +245,12 @@ StressSettings stress_settings(bool quick) {
 
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings) {
   std::string key = fmt::format("{} steps;", settings.most_steps);
-  for (const StressCase& each : cases) key += " " + each.name;
+  std::map<std::string, std::string> scenes;  // checksums by file
+  for (const StressCase& each : cases) {
+    key += " " + each.name;
+    if (!scenes.contains(each.scene.file)) scenes[each.scene.file] = sha256(read_input(each.scene.file));
+  }
+  for (const auto& [file, checksum] : scenes) key += " " + file + " " + checksum;
   for (const auto* names : {&settings.laws, &settings.integrators}) {
     key += ';';
     for (const std::string& name : *names) key += " " + name;
@@ -253,14 +259,13 @@ std::string stress_key(const std::vector<StressCase>& cases, const StressSetting
 }
 
 std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const StressSettings& settings) {
-  const KeptRows kept(settings.resume_file, stress_key(cases, settings), csv_header);
+  KeptRows kept(settings.resume_file, stress_key(cases, settings), csv_header);
   const std::map<CellKey, StressCell> earlier =
       kept.earlier() ? cells_of(*kept.earlier()) : std::map<CellKey, StressCell>();
 
   const std::size_t groups = cases.size() * settings.laws.size();
   std::vector<std::vector<StressCell>> done(groups);
   std::mutex mutex;
-  std::string rows;
   ProgressBar progress("stress", groups);
   run_parallel(groups, settings.threads, [&](std::size_t group) {
     const StressCase& scenario = cases[group / settings.laws.size()];
@@ -269,6 +274,7 @@ std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const S
     scene.run.max_steps = std::min(scene.run.max_steps, settings.most_steps);
     for (SceneJoint& joint : scene.joints) joint.film = law;
     std::optional<StressReference> reference;
+    std::string rows;  // that are new
     for (const std::string& integrator : settings.integrators) {
       const auto known = earlier.find({scenario.name, law, integrator});
       if (known != earlier.end()) {
@@ -278,13 +284,12 @@ std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const S
       if (!reference) reference = reference_of(scene, 2 * settings.most_steps);
       scene.integrator = integrator;
       done[group].push_back(make_cell(scenario, scene, law, *reference));
+      rows += csv_line(done[group].back());
     }
     const std::lock_guard lock(mutex);
-    for (const StressCell& cell : done[group]) rows += csv_line(cell);
-    kept.keep(rows);
+    if (!rows.empty()) kept.add(rows);
     progress.advance();
   });
-  kept.discard();
   std::vector<StressCell> cells;
   for (const auto& group : done) cells.insert(cells.end(), group.begin(), group.end());
   return cells;

@@ -37,6 +37,7 @@ struct StressSettings {
   /// No limit of steps above this: what a quick look has time for.
   std::size_t most_steps = 200'000;
   /// Cells so far are kept here after every case and law, and taken up again if the settings are the same.
+  /// Whoever has written the results removes it (discard_kept_rows).
   std::optional<std::filesystem::path> resume_file;
 };
 
@@ -50,7 +51,7 @@ StressSettings stress_settings(bool quick);
 /// @param thinnest_film  of the run, in clearances
 double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film);
 
-/// What a resume file begins with: the cases, laws, integrators and limits whose cells it keeps.
+/// What the cells of a resume file depend on: cases, scenes, laws, integrators and limits.
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);
 
 /// Runs the matrix; cells by case, law and integrator, the same for any number of threads but for their seconds.
