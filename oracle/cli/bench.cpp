@@ -5,6 +5,7 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/name_option.hpp"
 #include "oracle/reports/bench/law_bench.hpp"
 #include "oracle/reports/bench/scene_bench.hpp"
 #include "oracle/reports/files.hpp"
@@ -19,6 +20,7 @@ struct BenchOptions {
   std::vector<std::string> tables;
   std::vector<std::string> scene_files;
   std::vector<Scene> scenes;  ///< of these files
+  std::vector<std::string> integrators;
   std::optional<std::filesystem::path> out;
   bool quick = false;
 
@@ -75,6 +77,7 @@ std::vector<std::string_view> shipped_scenes() {
 
 void bench_scenes(const BenchOptions& options) {
   auto settings = reports::scene_bench_settings(options.quick);
+  settings.integrators = options.integrators;
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
   const auto bench = reports::bench_scenes(options.scenes, settings);
   std::cout << reports::scene_bench_table(bench);
@@ -118,6 +121,7 @@ bool is_wanted(const BenchTable& table, const BenchOptions& options) {
 int run_bench(BenchOptions options) {
   for (const std::string& file : options.scene_files) options.scenes.push_back(load_scene(file));
   require_tables(options);
+  for (const std::string& name : options.integrators) require_name("--integrator", name, reports::raced_methods());
   if (options.scenes.empty()) {
     for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
       options.scenes.push_back(load_scene(std::filesystem::path(scenes_folder()) / (std::string(name) + ".toml")));
@@ -141,6 +145,7 @@ void add_bench(CLI::App& app, Action& action) {
       app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
   command->add_option("tables", options->tables, described_tables());
   command->add_option("--scene", options->scene_files, "Scene files in place of those that ship");
+  command->add_option("--integrator", options->integrators, "These integrators alone (of scenes)");
   command->add_option("--out", options->out, "Folder for the tables as CSV");
   command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
   command->callback([options, &action] { action = [options] { return run_bench(*options); }; });

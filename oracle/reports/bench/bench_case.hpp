@@ -29,6 +29,9 @@ struct BenchLimits {
   double seconds = 10;  ///< of one run
 };
 
+/// The integrators that are raced: those of the library, and SUNDIALS' if it was built in.
+std::vector<std::string> raced_methods();
+
 /// Where a trajectory is at the reference's times, in clearances.
 using Reference = std::vector<Vector2<double>>;
 
@@ -37,7 +40,7 @@ class BenchCase {
  public:
   virtual ~BenchCase() = default;
   virtual std::string formulation() const = 0;  ///< journal, minimal or absolute
-  /// Integrators that this case can be given: those of the library, and SUNDIALS' if it was built in.
+  /// Those of raced_methods() that this case can be given.
   virtual std::vector<std::string> methods() const = 0;
   virtual MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) = 0;
 };

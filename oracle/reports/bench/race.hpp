@@ -45,11 +45,7 @@ class RaceCase final : public BenchCase {
 
   std::string formulation() const override { return formulation_; }
 
-  std::vector<std::string> methods() const override {
-    std::vector<std::string> names(method_names.begin(), method_names.end());
-    for (const std::string_view name : sundials_methods()) names.emplace_back(name);
-    return names;
-  }
+  std::vector<std::string> methods() const override { return raced_methods(); }
 
   MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) override {
     // Once with a look inside the steps, for the error; then for the time alone.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "lubjoint/dynamics/integrators.hpp"
 #include "oracle/reports/bench/sundials_method.hpp"
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
@@ -35,6 +36,7 @@ std::string csv_line(const BenchRow& row) {
 std::string campaign_key(const SceneBenchSettings& settings, const std::vector<Scene>& scenes) {
   std::string key = fmt::format("repeats {} seconds {} tolerances", settings.limits.repeats, settings.limits.seconds);
   for (const double tolerance : settings.tolerances) key += " " + number(tolerance);
+  for (const std::string& name : settings.integrators) key += " " + name;
   for (const Scene& scene : scenes) key += " " + scene.file + " " + sha256(read_input(scene.file));
   return key;
 }
@@ -107,6 +109,10 @@ std::vector<std::string> names(const SceneBench& bench, const Get& get) {
   return found;
 }
 
+bool is_wanted(const std::string& method, const std::vector<std::string>& integrators) {
+  return integrators.empty() || std::ranges::find(integrators, method) != integrators.end();
+}
+
 constexpr double targets[] = {1e-3, 1e-6, 1e-9};
 
 std::string milliseconds(const std::optional<double>& seconds) {
@@ -114,6 +120,12 @@ std::string milliseconds(const std::optional<double>& seconds) {
 }
 
 }  // namespace
+
+std::vector<std::string> raced_methods() {
+  std::vector<std::string> names(method_names.begin(), method_names.end());
+  for (const std::string_view name : sundials_methods()) names.emplace_back(name);
+  return names;
+}
 
 SceneBenchSettings scene_bench_settings(bool quick) {
   SceneBenchSettings settings;
@@ -138,6 +150,7 @@ SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettin
     for (const auto& each : made.cases) {
       for (const double tolerance : settings.tolerances) {
         for (const std::string& method : each->methods()) {
+          if (!is_wanted(method, settings.integrators)) continue;
           BenchRow row{made.name, each->formulation(), method, tolerance, {}};
           if (const BenchRow* known = ledger.find(row)) {
             row = *known;

@@ -34,6 +34,7 @@ struct SceneBench {
 
 struct SceneBenchSettings {
   std::vector<double> tolerances;
+  std::vector<std::string> integrators;  ///< these alone; empty: all there are
   BenchLimits limits;
   /// Rows so far are kept here after every one of them, and taken up again if the settings are the same.
   /// Whoever has written the results removes it (discard_kept_rows).
