@@ -1,0 +1,321 @@
+"""Translation units: how each is compiled, what it includes, which lines of the library's source it holds code of, what its
+fast tests are, and what all that takes. Measured once, kept in the build folder until one of the files changes."""
+
+import hashlib
+import json
+import re
+import resource
+import shlex
+import shutil
+import subprocess
+import xml.sax.saxutils
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+#: Bounds are checked, so that a loop that runs too far is seen.
+OPTIONS = ["-O1", "-w", "-UNDEBUG", "-D_GLIBCXX_ASSERTIONS"]
+
+#: What nearly every test includes; boost/numeric/odeint.hpp as a whole is no C++20.
+PRECOMPILED = """\
+#include <Eigen/Dense>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <unsupported/Eigen/AutoDiff>
+#include <variant>
+"""
+
+#: Tests of the oracle, the page and the program, none of which is built again.
+OF_OTHERS = re.compile(
+    r"accuracy|bench|certified|command|cost|finite_length|fuzz|golden_integrity|include_rules|leave_out|literature|options"
+    r"|page|pinkus_sternlicht_difference|proofs|quadrature_test|stress|sweep|unfinished|verify|version"
+)
+
+
+class Failed(Exception):
+    """A program that had to succeed did not."""
+
+
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run(command, seconds=None, **options):
+    """Runs a command with a limit of processor time, which says the same on a busy machine; (status, output, seconds)."""
+    began = cpu_seconds()
+
+    def limit():
+        whole = int(seconds) + 1
+        resource.setrlimit(resource.RLIMIT_CPU, (whole, whole + 1))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    with subprocess.Popen(
+        [str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+        preexec_fn=limit if seconds else None, start_new_session=True, **options) as process:  # fmt: skip
+        try:
+            # One that sleeps takes no processor time.
+            output, _ = process.communicate(timeout=20 * seconds + 60 if seconds else None)
+            status = process.returncode
+        except subprocess.TimeoutExpired:
+            process.kill()
+            output, _ = process.communicate()
+            status = -24
+    return status, output.decode(errors="replace"), cpu_seconds() - began
+
+
+@dataclass
+class Unit:
+    """A source file that is compiled: a test, or one of the library's."""
+
+    source: str
+    flags: list
+    is_test: bool
+    group: str  # executable or archive it belongs to
+    state: str = ""  # digest of all that it depends on
+    seconds: float = 0  # to compile
+    code: dict = field(default_factory=dict)  # file of the repository: lines of which there is code
+    cases: list = field(default_factory=list)  # fast tests that pass
+    run_seconds: float = 0  # of those
+    members: list = field(default_factory=list)  # of the library's sources, those linked in
+
+    @property
+    def name(self):
+        return Path(self.source).stem
+
+
+class Bench:
+    """The build folder: archives by CMake, everything that holds mutated code by hand."""
+
+    def __init__(self, root, folder, report, slow=2.0, source_limit=8.0):
+        self.root, self.folder, self.report = Path(root), Path(folder), report
+        self.slow, self.source_limit = slow, source_limit
+        self.overlay = self.folder / "overlay"
+        self.units = {}
+
+    # --- preparation
+
+    def prepare(self):
+        self.configure()
+        self.precompile()
+        known = self.folder / "units.json"
+        old = {u["source"]: Unit(**u) for u in json.loads(known.read_text())} if known.exists() else {}
+        changed = False
+        units = self.all_units()
+        for i, unit in enumerate(units):
+            before = old.get(unit.source)
+            if before and before.state == unit.state and self.object_of(unit).exists():
+                self.units[unit.source] = before
+                continue
+            changed = True
+            self.report(f"measuring {i + 1} of {len(units)}: {unit.source}")
+            self.measure(unit)
+            self.units[unit.source] = unit
+            known.write_text(json.dumps([asdict(u) for u in self.units.values()]))
+        if changed:
+            known.write_text(json.dumps([asdict(u) for u in self.units.values()]))
+
+    def must(self, command, what):
+        status, output, _ = run(command, cwd=self.folder)
+        if status:
+            raise Failed(f"{what} failed:\n{output[-3000:]}")
+        return output
+
+    def configure(self):
+        self.folder.mkdir(parents=True, exist_ok=True)
+        if not (self.folder / "build.ninja").exists():
+            self.must(["cmake", "-S", self.root, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                       "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DLUBJOINT_INSTALL=OFF"], "configuring")  # fmt: skip
+        self.must(["ninja", "build.ninja"], "configuring")
+        self.link = {}
+        archives = set()
+        for group in ("tests/lubjoint_tests", "property_tests/lubjoint_property_tests"):
+            command = shlex.split(self.must(["ninja", "-t", "commands", group], "asking ninja").strip().splitlines()[-1])
+            at = command.index("-o")
+            rest = command[at + 2 :]
+            rest = [w for w in rest[: rest.index("&&")] if not re.search(r"lubjoint_(commands|page|verify\w*)\.a$", w)]
+            self.link[group.split("/")[1]] = rest
+            archives |= {a for a in rest if a.endswith(".a") and not a.startswith("/")}
+        property_main = "property_tests/CMakeFiles/lubjoint_property_tests.dir/support/main.cpp.o"
+        self.link["lubjoint_property_tests"] = [property_main, *self.link["lubjoint_property_tests"]]
+        self.report("building the archives")
+        self.must(["ninja", "-j1", property_main, *sorted(archives)], "building the archives")
+        self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
+
+    def all_units(self):
+        self.compiler = None
+        units = {}
+        generated = (self.folder / "lib").as_posix()
+        for entry in json.loads((self.folder / "compile_commands.json").read_text()):
+            source, words = entry["file"], shlex.split(entry["command"])
+            words = words[1:] if "ccache" in words[0] else words
+            output = words[words.index("-o") + 1]
+            m = re.match(r"(?:\w+/)CMakeFiles/(lubjoint_\w+)\.dir/", output)
+            path = Path(source)
+            is_test = path.parent in (self.root / "tests", self.root / "property_tests")
+            is_ours = path.parent == self.root / "lib/src" or source.startswith(generated)
+            if not m or not (is_test or is_ours) or source in units or (is_test and OF_OTHERS.search(path.stem)):
+                continue
+            self.compiler = self.compiler or words[0]
+            flags = [w for w in words[1:-4] if not re.match(r"-O|-W|-DNDEBUG|-g", w)]
+            unit = Unit(source, flags, is_test, m.group(1))
+            headers = self.includes(unit)
+            if is_test and not any(re.search(r"/lib/include/lubjoint/(film|joint|multibody|dynamics)/", h) for h in headers):
+                continue
+            text = b"".join(Path(h).read_bytes() for h in sorted(headers))
+            unit.state = hashlib.sha256(text + repr((flags, OPTIONS, PRECOMPILED)).encode()).hexdigest()
+            units[source] = unit
+        return sorted(units.values(), key=lambda u: (u.is_test, u.source))
+
+    def includes(self, unit):
+        """The unit and all files of the repository that it includes, however deep."""
+        folders = [Path(f[2:]) for f in unit.flags if f.startswith("-I")]
+        found, left = set(), [Path(unit.source)]
+        while left:
+            file = left.pop()
+            if file.as_posix() in found:
+                continue
+            found.add(file.as_posix())
+            for name in re.findall(r'^\s*#\s*include "([^"]+)"', file.read_text(), re.M):
+                for folder in [file.parent, *folders]:
+                    if (folder / name).exists():
+                        left.append((folder / name).resolve())
+                        break
+        return found
+
+    def precompile(self):
+        header = self.folder / "precompiled" / "common.hpp"
+        if header.exists() and header.read_text() == PRECOMPILED and header.with_suffix(".hpp.gch").exists():
+            return
+        self.report("precompiling the headers of others")
+        header.parent.mkdir(exist_ok=True)
+        header.write_text(PRECOMPILED)
+        self.must(["c++", "-std=gnu++20", *OPTIONS, "-ffp-contract=off", "-DBOOST_ALL_NO_LIB", "-isystem", "/usr/include/eigen3",
+                   "-x", "c++-header", header, "-o", header.with_suffix(".hpp.gch")], "precompiling")  # fmt: skip
+
+    # --- compiling and running
+
+    def object_of(self, unit, mutated=False):
+        return self.folder / ("mutated" if mutated else "objects") / f"{unit.group}.{unit.name}.o"
+
+    def compile_command(self, unit, output, overlaid=False):
+        source = unit.source
+        first = []
+        if overlaid:
+            first = [f"-I{self.overlay}/include", f"-I{self.overlay}/src"]
+            if Path(source).parent == self.root / "lib/src":
+                source = self.overlay / "src" / Path(source).name
+        common = ["-include", self.folder / "precompiled/common.hpp"] if "-std=gnu++20" in unit.flags else []
+        return [self.compiler, *first, *unit.flags, "-ffp-contract=off", *OPTIONS, *common, "-o", output, "-c", source]
+
+    def link_command(self, objects, group, output):
+        return [self.compiler, *self.linker, "-O1", *objects, "-o", output, *self.link[group]]
+
+    def measure(self, unit):
+        """Compiles the unmutated unit, lists the lines it holds code of and, for a test, the fast cases and their times."""
+        target = self.object_of(unit)
+        target.parent.mkdir(exist_ok=True)
+        assembly = target.with_suffix(".s")
+        command = self.compile_command(unit, assembly)
+        command[command.index("-c")] = "-S"
+        status, output, unit.seconds = run([*command, "-g1"], cwd=self.folder)
+        if status:
+            raise Failed(f"compiling {unit.source} failed:\n{output[:3000]}")
+        unit.code = self.lines_with_code(assembly)
+        self.must([self.compiler, "-c", assembly, "-o", target], "assembling")
+        assembly.unlink()
+        if unit.is_test:
+            self.measure_tests(unit, target)
+
+    def lines_with_code(self, assembly):
+        names, lines = {}, {}
+        prefix = self.root.as_posix() + "/lib/"
+        with open(assembly, errors="replace") as text:
+            for line in text:
+                if line.startswith("\t.loc "):
+                    words = line.split(None, 3)
+                    lines.setdefault(words[1], set()).add(int(words[2]))
+                elif line.startswith("\t.file "):
+                    words = shlex.split(line)
+                    names[words[1]] = "/".join(words[2:])
+        return {f[len(self.root.as_posix()) + 1 :]: sorted(lines[n]) for n, f in names.items()
+                if f.startswith(prefix) and n in lines}  # fmt: skip
+
+    def measure_tests(self, unit, target):
+        program = self.folder / "program"
+        map_file = self.folder / "link.map"
+        self.must([*self.link_command([target], unit.group, program), f"-Wl,-Map={map_file}"], "linking")
+        members = set(re.findall(r"/?(liblubjoint_\w+)\.a\(([\w.]+)\.o\)", map_file.read_text(errors="replace")))
+        names = {name for archive, name in members if archive in ("liblubjoint_scene", "liblubjoint_batch")}
+        ours = [u for u in self.units.values() if not u.is_test]
+        unit.members = sorted(u.source for u in ours if Path(u.source).name in names)
+        # Cases one after another, each with its time; what fails here needs the program or a file that is not built.
+        status, output, used = run([program, "-r", "xml", "-d", "yes"], seconds=120, cwd=self.folder)
+        cases = re.findall(r'<TestCase name="([^"]*)".*?<OverallResult success="(\w+)" durationInSeconds="([^"]+)"', output, re.S)
+        wall = sum(float(c[2]) for c in cases) or 1.0
+        busy = min(1.0, used / wall)
+        times = {xml.sax.saxutils.unescape(n, {"&quot;": '"'}): float(s) * busy for n, ok, s in cases if ok == "true"}
+        fast = sorted((n for n in times if times[n] <= self.slow), key=times.get)
+        total, unit.cases = 0.0, []
+        for name in fast:
+            if total + times[name] > self.source_limit:
+                break
+            total += times[name]
+            unit.cases.append(name)
+        unit.run_seconds = total
+
+    def write_overlay(self, file, text):
+        """The mutated file before the real one, for whoever includes or compiles it."""
+        shutil.rmtree(self.overlay, ignore_errors=True)
+        shutil.rmtree(self.folder / "mutated", ignore_errors=True)
+        (self.folder / "mutated").mkdir()
+        (self.overlay / "include").mkdir(parents=True)
+        if file.startswith("lib/include/"):
+            (self.overlay / "src").symlink_to(self.root / "lib/src")
+            target = self.overlay / file.removeprefix("lib/")
+        else:
+            shutil.copytree(self.root / "lib/src", self.overlay / "src")
+            target = self.overlay / file.removeprefix("lib/")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text)
+
+    def compile_mutated(self, unit):
+        """(Whether it compiled, seconds)."""
+        output = self.object_of(unit, mutated=True)
+        command = self.compile_command(unit, output, overlaid=True)
+        status, _, used = run(command, seconds=10 * unit.seconds + 20, cwd=self.folder)
+        return status == 0, used
+
+    def run_tests(self, test, mutated):
+        """Runs the fast cases of a test source with the mutated units linked before all others.
+
+        Returns ("passed" | "failed" | "timed out", name of the case, seconds).
+        """
+        # What is linked first gives the functions that several units hold.
+        objects = [self.object_of(u, mutated=True) for u in mutated]
+        if test not in mutated:
+            objects.append(self.object_of(test))
+        program = self.folder / "program"
+        status, output, linking = run(self.link_command(objects, test.group, program), cwd=self.folder)
+        if status:
+            return "failed", "(the linker)", linking
+        cases = self.folder / "cases"
+        cases.write_text("".join(name + "\n" for name in test.cases))
+        limit = 4 * test.run_seconds + 3
+        status, output, used = run([program, "-r", "xml", "-a", "-f", cases], seconds=limit, cwd=self.folder)
+        last = re.findall(r'<TestCase name="([^"]*)"', output)
+        name = xml.sax.saxutils.unescape(last[-1], {"&quot;": '"'}) if last else "(before the first)"
+        if status in (-24, -9):
+            return "timed out", name, linking + used
+        return ("failed", name, linking + used) if status else ("passed", "", linking + used)
