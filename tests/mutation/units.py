@@ -3,6 +3,7 @@ fast tests are, and what all that takes. Measured once, kept in the build folder
 
 import hashlib
 import json
+import os
 import re
 import resource
 import shlex
@@ -12,8 +13,10 @@ import xml.sax.saxutils
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+import embed
+
 #: Bounds are checked, so that a loop that runs too far is seen.
-OPTIONS = ["-O1", "-w", "-UNDEBUG", "-D_GLIBCXX_ASSERTIONS"]
+OPTIONS = ["-O1", "-w", "-DNDEBUG", "-D_GLIBCXX_ASSERTIONS"]
 
 #: What nearly every test includes; boost/numeric/odeint.hpp as a whole is no C++20.
 PRECOMPILED = """\
@@ -89,6 +92,7 @@ class Unit:
     cases: list = field(default_factory=list)  # fast tests that pass
     run_seconds: float = 0  # of those
     members: list = field(default_factory=list)  # of the library's sources, those linked in
+    reached: list = field(default_factory=list)  # numbers of the embedded mutants that the cases come to
 
     @property
     def name(self):
@@ -106,25 +110,80 @@ class Bench:
 
     # --- preparation
 
-    def prepare(self):
+    def prepare(self, pool):
+        """Embeds the mutants of the pool (in its order, which numbers them), compiles all units and runs all tests once."""
         self.configure()
         self.precompile()
         known = self.folder / "units.json"
-        old = {u["source"]: Unit(**u) for u in json.loads(known.read_text())} if known.exists() else {}
-        changed = False
+        state = json.loads(known.read_text()) if known.exists() else {"units": [], "alone": []}
+        old = {u["source"]: Unit(**u) for u in state["units"]}
+        self.numbers = {m.ident: k for k, m in enumerate(pool)}
+        self.pool = pool
+        self.alone = set(state["alone"])  # have to be compiled by themselves
+        self.embed_all()
         units = self.all_units()
+        rebuilt = False
         for i, unit in enumerate(units):
             before = old.get(unit.source)
-            if before and before.state == unit.state and self.object_of(unit).exists():
+            if before and before.state == unit.state and self.object_of(unit).exists() and not (unit.is_test and rebuilt):
                 self.units[unit.source] = before
                 continue
-            changed = True
-            self.report(f"measuring {i + 1} of {len(units)}: {unit.source}")
-            self.measure(unit)
+            self.report(f"compiling {i + 1} of {len(units)}: {unit.source}")
+            if not (before and before.state == unit.state and self.object_of(unit).exists()):
+                self.compile_embedded(unit)
+            else:
+                unit.seconds, unit.code = before.seconds, before.code
+            rebuilt = rebuilt or not unit.is_test
             self.units[unit.source] = unit
-            known.write_text(json.dumps([asdict(u) for u in self.units.values()]))
-        if changed:
-            known.write_text(json.dumps([asdict(u) for u in self.units.values()]))
+            if unit.is_test:
+                self.measure_tests(unit)
+            done = [asdict(u) for u in {**old, **self.units}.values()]
+            known.write_text(json.dumps({"units": done, "alone": sorted(self.alone)}))
+
+    def embed_all(self):
+        """Writes lib with the mutants of the pool into a folder that comes before the real one."""
+        self.embedded = set()
+        self.spans = {}
+        target = self.folder / "embedded"
+        sources = [p for p in (self.root / "lib").rglob("*") if p.suffix in (".hpp", ".cpp") and p.parts[-2] in
+                   ("film", "joint", "multibody", "dynamics", "scene", "src")]  # fmt: skip
+        for path in sources:
+            self.embed_file(path.relative_to(self.root / "lib").as_posix())
+        runtime = self.folder / "runtime.cpp"
+        if not runtime.exists() or runtime.read_text() != embed.RUNTIME:
+            runtime.write_text(embed.RUNTIME)
+            self.must(["c++", "-O1", "-c", runtime, "-o", self.folder / "runtime.o"], "compiling the switches")
+        (target / "switch.hpp").write_text(embed.SWITCH)
+
+    def embed_file(self, name):
+        mine = [(self.numbers[m.ident], m) for m in self.pool if m.file == f"lib/{name}" and m.ident not in self.alone]
+        text, inside = embed.embed((self.root / "lib" / name).read_text(), mine)
+        self.embedded -= {m.ident for _, m in mine}
+        self.embedded |= set(inside)
+        target = self.folder / "embedded" / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if not target.exists() or target.read_text() != text:
+            target.write_text(text)
+
+    def compile_embedded(self, unit):
+        """Compiles; mutants that the compiler complains of are left out, and tried by themselves later."""
+        for _ in range(8):
+            status, output = self.compile_and_list(unit)
+            if status == 0:
+                return
+            for pattern in (r"embedded/([\w/.]+):(\d+):\d+: error:", r"embedded/([\w/.]+):(\d+):"):
+                places = {(f, int(line)) for f, line in re.findall(pattern, output)}
+                blamed = [m for m in self.pool if m.ident in self.embedded and any(
+                    m.file == f"lib/{f}" and m.line - 3 <= line <= m.line + m.old.count("\n") + 3 for f, line in places)]
+                if blamed:
+                    break
+            if not blamed:
+                raise Failed(f"compiling {unit.source} failed:\n{output[:3000]}")
+            self.report("by themselves: " + ", ".join(f"{m.file}:{m.line} {m.old}" for m in blamed)[:300])
+            self.alone |= {m.ident for m in blamed}
+            for file in {m.file for m in blamed}:
+                self.embed_file(file.removeprefix("lib/"))
+        raise Failed(f"compiling {unit.source} failed again and again:\n{output[:3000]}")
 
     def must(self, command, what):
         status, output, _ = run(command, cwd=self.folder)
@@ -173,10 +232,16 @@ class Bench:
             headers = self.includes(unit)
             if is_test and not any(re.search(r"/lib/include/lubjoint/(film|joint|multibody|dynamics)/", h) for h in headers):
                 continue
-            text = b"".join(Path(h).read_bytes() for h in sorted(headers))
+            text = b"".join(self.embedded_of(h).read_bytes() for h in sorted(headers))
             unit.state = hashlib.sha256(text + repr((flags, OPTIONS, PRECOMPILED)).encode()).hexdigest()
             units[source] = unit
         return sorted(units.values(), key=lambda u: (u.is_test, u.source))
+
+    def embedded_of(self, file):
+        """The file with the mutants in it, where it is one of lib's."""
+        lib = (self.root / "lib").as_posix() + "/"
+        inside = self.folder / "embedded" / file.removeprefix(lib)
+        return inside if file.startswith(lib) and inside.exists() else Path(file)
 
     def includes(self, unit):
         """The unit and all files of the repository that it includes, however deep."""
@@ -196,11 +261,12 @@ class Bench:
 
     def precompile(self):
         header = self.folder / "precompiled" / "common.hpp"
-        if header.exists() and header.read_text() == PRECOMPILED and header.with_suffix(".hpp.gch").exists():
+        text = f"// {OPTIONS}\n{PRECOMPILED}"
+        if header.exists() and header.read_text() == text and header.with_suffix(".hpp.gch").exists():
             return
         self.report("precompiling the headers of others")
         header.parent.mkdir(exist_ok=True)
-        header.write_text(PRECOMPILED)
+        header.write_text(text)
         self.must(["c++", "-std=gnu++20", *OPTIONS, "-ffp-contract=off", "-DBOOST_ALL_NO_LIB", "-isystem", "/usr/include/eigen3",
                    "-x", "c++-header", header, "-o", header.with_suffix(".hpp.gch")], "precompiling")  # fmt: skip
 
@@ -209,38 +275,36 @@ class Bench:
     def object_of(self, unit, mutated=False):
         return self.folder / ("mutated" if mutated else "objects") / f"{unit.group}.{unit.name}.o"
 
-    def compile_command(self, unit, output, overlaid=False):
+    def compile_command(self, unit, output, overlay):
+        """With the headers and sources of `overlay` before the real ones."""
         source = unit.source
-        first = []
-        if overlaid:
-            first = [f"-I{self.overlay}/include", f"-I{self.overlay}/src"]
-            if Path(source).parent == self.root / "lib/src":
-                source = self.overlay / "src" / Path(source).name
+        if Path(source).parent == self.root / "lib/src":
+            source = overlay / "src" / Path(source).name
+        first = [f"-I{overlay}/include", f"-I{overlay}/src"]
         common = ["-include", self.folder / "precompiled/common.hpp"] if "-std=gnu++20" in unit.flags else []
+        common += ["-include", self.folder / "embedded/switch.hpp"]
         return [self.compiler, *first, *unit.flags, "-ffp-contract=off", *OPTIONS, *common, "-o", output, "-c", source]
 
     def link_command(self, objects, group, output):
-        return [self.compiler, *self.linker, "-O1", *objects, "-o", output, *self.link[group]]
+        return [self.compiler, *self.linker, "-O1", *objects, self.folder / "runtime.o", "-o", output, *self.link[group]]
 
-    def measure(self, unit):
-        """Compiles the unmutated unit, lists the lines it holds code of and, for a test, the fast cases and their times."""
+    def compile_and_list(self, unit):
+        """Compiles with the embedded mutants, and lists the lines that the unit holds code of; (status, messages)."""
         target = self.object_of(unit)
         target.parent.mkdir(exist_ok=True)
         assembly = target.with_suffix(".s")
-        command = self.compile_command(unit, assembly)
+        command = self.compile_command(unit, assembly, self.folder / "embedded")
         command[command.index("-c")] = "-S"
         status, output, unit.seconds = run([*command, "-g1"], cwd=self.folder)
-        if status:
-            raise Failed(f"compiling {unit.source} failed:\n{output[:3000]}")
-        unit.code = self.lines_with_code(assembly)
-        self.must([self.compiler, "-c", assembly, "-o", target], "assembling")
-        assembly.unlink()
-        if unit.is_test:
-            self.measure_tests(unit, target)
+        if status == 0:
+            unit.code = self.lines_with_code(assembly)
+            self.must([self.compiler, "-c", assembly, "-o", target], "assembling")
+            assembly.unlink()
+        return status, output
 
     def lines_with_code(self, assembly):
         names, lines = {}, {}
-        prefix = self.root.as_posix() + "/lib/"
+        prefix = f"{self.folder}/embedded/"
         with open(assembly, errors="replace") as text:
             for line in text:
                 if line.startswith("\t.loc "):
@@ -249,31 +313,58 @@ class Bench:
                 elif line.startswith("\t.file "):
                     words = shlex.split(line)
                     names[words[1]] = "/".join(words[2:])
-        return {f[len(self.root.as_posix()) + 1 :]: sorted(lines[n]) for n, f in names.items()
-                if f.startswith(prefix) and n in lines}  # fmt: skip
+        return {"lib/" + f[len(prefix) :]: sorted(lines[n]) for n, f in names.items() if f.startswith(prefix) and n in lines}
 
-    def measure_tests(self, unit, target):
-        program = self.folder / "program"
+    def program_of(self, test):
+        return self.folder / "programs" / test.name
+
+    def measure_tests(self, test):
+        """Links the test with all of lib's units, and runs it: which cases pass and are fast, what they come to."""
+        program = self.program_of(test)
+        program.parent.mkdir(exist_ok=True)
         map_file = self.folder / "link.map"
-        self.must([*self.link_command([target], unit.group, program), f"-Wl,-Map={map_file}"], "linking")
-        members = set(re.findall(r"/?(liblubjoint_\w+)\.a\(([\w.]+)\.o\)", map_file.read_text(errors="replace")))
-        names = {name for archive, name in members if archive in ("liblubjoint_scene", "liblubjoint_batch")}
         ours = [u for u in self.units.values() if not u.is_test]
-        unit.members = sorted(u.source for u in ours if Path(u.source).name in names)
-        # Cases one after another, each with its time; what fails here needs the program or a file that is not built.
-        status, output, used = run([program, "-r", "xml", "-d", "yes"], seconds=120, cwd=self.folder)
+        self.must([*self.link_command([self.object_of(test)], test.group, program), f"-Wl,-Map={map_file}"], "linking")
+        names = set(re.findall(r"/?liblubjoint_(?:scene|batch)\.a\(([\w.]+)\.o\)", map_file.read_text(errors="replace")))
+        test.members = sorted(u.source for u in ours if Path(u.source).name in names)
+        objects = [self.object_of(test), *(self.object_of(u) for u in ours if u.source in test.members)]
+        self.must(self.link_command(objects, test.group, program), "linking")
+        # What fails here needs the program or a file that is not built.
+        status, output, used = run([program, "-r", "xml", "-d", "yes"], seconds=90, cwd=self.folder)
         cases = re.findall(r'<TestCase name="([^"]*)".*?<OverallResult success="(\w+)" durationInSeconds="([^"]+)"', output, re.S)
         wall = sum(float(c[2]) for c in cases) or 1.0
         busy = min(1.0, used / wall)
         times = {xml.sax.saxutils.unescape(n, {"&quot;": '"'}): float(s) * busy for n, ok, s in cases if ok == "true"}
         fast = sorted((n for n in times if times[n] <= self.slow), key=times.get)
-        total, unit.cases = 0.0, []
+        total, test.cases = 0.0, []
         for name in fast:
             if total + times[name] > self.source_limit:
                 break
             total += times[name]
-            unit.cases.append(name)
-        unit.run_seconds = total
+            test.cases.append(name)
+        test.run_seconds = total
+        reached = self.folder / "reached"
+        reached.unlink(missing_ok=True)
+        if test.cases:
+            environment = {**os.environ, "LUBJOINT_REACHED": str(reached)}
+            self.run_cases(program, test, seconds=None, environment=environment)
+        test.reached = [int(k) for k in reached.read_text().split()] if reached.exists() else []
+
+    def run_cases(self, program, test, seconds, environment):
+        cases = self.folder / "cases"
+        cases.write_text("".join(name + "\n" for name in test.cases))
+        command = [program, "-r", "xml", "-a", "-f", cases]
+        status, output, used = run(command, seconds=seconds, cwd=self.folder, env=environment)
+        last = re.findall(r'<TestCase name="([^"]*)"', output)
+        name = xml.sax.saxutils.unescape(last[-1], {"&quot;": '"'}) if last else "(before the first)"
+        if status in (-24, -9):
+            return "timed out", name, used
+        return ("failed", name, used) if status else ("passed", "", used)
+
+    def run_switched(self, test, number):
+        """Runs the fast cases with an embedded mutant switched on; as run_tests."""
+        environment = {**os.environ, "LUBJOINT_MUTANT": str(number)}
+        return self.run_cases(self.program_of(test), test, 4 * test.run_seconds + 3, environment)
 
     def write_overlay(self, file, text):
         """The mutated file before the real one, for whoever includes or compiles it."""
@@ -293,7 +384,7 @@ class Bench:
     def compile_mutated(self, unit):
         """(Whether it compiled, seconds)."""
         output = self.object_of(unit, mutated=True)
-        command = self.compile_command(unit, output, overlaid=True)
+        command = self.compile_command(unit, output, self.overlay)
         status, _, used = run(command, seconds=10 * unit.seconds + 20, cwd=self.folder)
         return status == 0, used
 
@@ -307,15 +398,8 @@ class Bench:
         if test not in mutated:
             objects.append(self.object_of(test))
         program = self.folder / "program"
-        status, output, linking = run(self.link_command(objects, test.group, program), cwd=self.folder)
+        status, _, linking = run(self.link_command(objects, test.group, program), cwd=self.folder)
         if status:
             return "failed", "(the linker)", linking
-        cases = self.folder / "cases"
-        cases.write_text("".join(name + "\n" for name in test.cases))
-        limit = 4 * test.run_seconds + 3
-        status, output, used = run([program, "-r", "xml", "-a", "-f", cases], seconds=limit, cwd=self.folder)
-        last = re.findall(r'<TestCase name="([^"]*)"', output)
-        name = xml.sax.saxutils.unescape(last[-1], {"&quot;": '"'}) if last else "(before the first)"
-        if status in (-24, -9):
-            return "timed out", name, linking + used
-        return ("failed", name, linking + used) if status else ("passed", "", linking + used)
+        result, name, used = self.run_cases(program, test, 4 * test.run_seconds + 3, None)
+        return result, name, linking + used
