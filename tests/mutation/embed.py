@@ -215,7 +215,7 @@ def switched(source, kind, variants):
 
 
 def embed(text, mutants):
-    """(text with switches, identifiers of the mutants in it). mutants: [(number, mutant)] of this file."""
+    """(text with switches, {identifier of a mutant in it: lines of its statement}). mutants: [(number, mutant)] of this file."""
     tokens = tokens_of(text)
     index = {t.start: i for i, t in enumerate(tokens)}
     groups, literals = {}, []
@@ -226,7 +226,7 @@ def embed(text, mutants):
             groups.setdefault(around, []).append((k, m))
         elif m.kind == "constant" or m.old in ("true", "false"):
             literals.append((k, m))
-    edits, inside = [], []
+    edits, inside = [], {}
     for (first, last, kind), members in sorted(groups.items()):
         begin, end = tokens[first].start, tokens[last].end
         variants = [(k, m.apply(text)[begin : end + len(m.new) - len(m.old)]) for k, m in members]
@@ -240,8 +240,9 @@ def embed(text, mutants):
         if in_function(text, tokens, index[m.position]) and not any(b < end and begin < e for b, e, _, _ in edits):
             edits.append((begin, end, f"(lubjoint_mutation::on({k}) ? {m.new} : {m.old})", [m.ident]))
     for begin, end, new, idents in sorted(edits, reverse=True):
+        lines = (text.count("\n", 0, begin) + 1, text.count("\n", 0, end) + 1)
+        inside |= dict.fromkeys(idents, lines)
         text = text[:begin] + new + text[end:]
-        inside += idents
     return text, inside
 
 

@@ -39,6 +39,9 @@ PRECOMPILED = """\
 #include <variant>
 """
 
+#: Sources of the library that read scenes and compute nothing.
+READERS = ("journal_scene", "scene_changes", "scene_file", "scene_parts", "simulate", "start_check", "table_reader")
+
 #: Tests of the oracle, the page and the program, none of which is built again.
 OF_OTHERS = re.compile(
     r"accuracy|bench|certified|command|cost|finite_length|fuzz|golden_integrity|include_rules|leave_out|literature|options"
@@ -111,7 +114,7 @@ class Bench:
     # --- preparation
 
     def prepare(self, pool):
-        """Embeds the mutants of the pool (in its order, which numbers them), compiles all units and runs all tests once."""
+        """Embeds the mutants of the pool (in its order, which numbers them), and finds out what is compiled already."""
         self.configure()
         self.precompile()
         known = self.folder / "units.json"
@@ -121,29 +124,46 @@ class Bench:
         self.pool = pool
         self.alone = set(state["alone"])  # have to be compiled by themselves
         self.embed_all()
-        units = self.all_units()
-        rebuilt = False
-        for i, unit in enumerate(units):
+        self.units = {u.source: u for u in self.all_units()}
+        self.ready, self.known = set(), known
+        for unit in self.units.values():
             before = old.get(unit.source)
-            if before and before.state == unit.state and self.object_of(unit).exists() and not (unit.is_test and rebuilt):
+            if before and before.state == unit.state and self.object_of(unit).exists():
                 self.units[unit.source] = before
-                continue
-            self.report(f"compiling {i + 1} of {len(units)}: {unit.source}")
-            if not (before and before.state == unit.state and self.object_of(unit).exists()):
-                self.compile_embedded(unit)
-            else:
-                unit.seconds, unit.code = before.seconds, before.code
-            rebuilt = rebuilt or not unit.is_test
-            self.units[unit.source] = unit
-            if unit.is_test:
-                self.measure_tests(unit)
-            done = [asdict(u) for u in {**old, **self.units}.values()]
-            known.write_text(json.dumps({"units": done, "alone": sorted(self.alone)}))
+                self.ready.add(unit.source)
+
+    def tests(self):
+        """The tests, those of headers before those of scenes, which have more of the library behind them."""
+        found = [u for u in self.units.values() if u.is_test]
+        scenes = {u.source: any("/lubjoint/scene/" in h for h in self.includes(u)) for u in found}
+        return sorted(found, key=lambda u: (scenes[u.source], "/property_tests/" in u.source, u.source))
+
+    def make(self, test):
+        """Compiles a test and the library's units behind it, and runs it once, where that has not been done."""
+        fresh = self.compile_once(test)
+        if fresh:
+            self.find_members(test)
+        for source in test.members:
+            fresh = self.compile_once(self.units[source]) or fresh
+        if fresh or not self.program_of(test).exists():
+            self.measure_tests(test)
+        self.save()
+
+    def compile_once(self, unit):
+        if unit.source in self.ready:
+            return False
+        self.report(f"compiling {unit.source}")
+        self.compile_embedded(unit)
+        self.ready.add(unit.source)
+        return True
+
+    def save(self):
+        done = [asdict(self.units[source]) for source in sorted(self.ready)]
+        self.known.write_text(json.dumps({"units": done, "alone": sorted(self.alone)}))
 
     def embed_all(self):
         """Writes lib with the mutants of the pool into a folder that comes before the real one."""
-        self.embedded = set()
-        self.spans = {}
+        self.embedded = {}  # identifier: first and last line of the statement that it is in
         target = self.folder / "embedded"
         sources = [p for p in (self.root / "lib").rglob("*") if p.suffix in (".hpp", ".cpp") and p.parts[-2] in
                    ("film", "joint", "multibody", "dynamics", "scene", "src")]  # fmt: skip
@@ -158,8 +178,9 @@ class Bench:
     def embed_file(self, name):
         mine = [(self.numbers[m.ident], m) for m in self.pool if m.file == f"lib/{name}" and m.ident not in self.alone]
         text, inside = embed.embed((self.root / "lib" / name).read_text(), mine)
-        self.embedded -= {m.ident for _, m in mine}
-        self.embedded |= set(inside)
+        here = {m.ident for m in self.pool if m.file == f"lib/{name}"}
+        self.embedded = {i: lines for i, lines in self.embedded.items() if i not in here}
+        self.embedded |= inside
         target = self.folder / "embedded" / name
         target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_text() != text:
@@ -174,7 +195,8 @@ class Bench:
             for pattern in (r"embedded/([\w/.]+):(\d+):\d+: error:", r"embedded/([\w/.]+):(\d+):"):
                 places = {(f, int(line)) for f, line in re.findall(pattern, output)}
                 blamed = [m for m in self.pool if m.ident in self.embedded and any(
-                    m.file == f"lib/{f}" and m.line - 3 <= line <= m.line + m.old.count("\n") + 3 for f, line in places)]
+                    m.file == f"lib/{f}" and self.embedded[m.ident][0] <= line <= self.embedded[m.ident][1]
+                    for f, line in places)]  # fmt: skip
                 if blamed:
                     break
             if not blamed:
@@ -223,7 +245,7 @@ class Bench:
             m = re.match(r"(?:\w+/)CMakeFiles/(lubjoint_\w+)\.dir/", output)
             path = Path(source)
             is_test = path.parent in (self.root / "tests", self.root / "property_tests")
-            is_ours = path.parent == self.root / "lib/src" or source.startswith(generated)
+            is_ours = (path.parent == self.root / "lib/src" or source.startswith(generated)) and path.stem not in READERS
             if not m or not (is_test or is_ours) or source in units or (is_test and OF_OTHERS.search(path.stem)):
                 continue
             self.compiler = self.compiler or words[0]
@@ -318,16 +340,19 @@ class Bench:
     def program_of(self, test):
         return self.folder / "programs" / test.name
 
+    def find_members(self, test):
+        """Which of the library's sources the linker takes for a test."""
+        map_file = self.folder / "link.map"
+        command = self.link_command([self.object_of(test)], test.group, self.folder / "program")
+        self.must([*command, f"-Wl,-Map={map_file}"], "linking")
+        names = set(re.findall(r"/?liblubjoint_(?:scene|batch)\.a\(([\w.]+)\.o\)", map_file.read_text(errors="replace")))
+        test.members = sorted(s for s, u in self.units.items() if not u.is_test and Path(s).name in names)
+
     def measure_tests(self, test):
-        """Links the test with all of lib's units, and runs it: which cases pass and are fast, what they come to."""
+        """Links the test with the library's units, and runs it: which cases pass and are fast, what they come to."""
         program = self.program_of(test)
         program.parent.mkdir(exist_ok=True)
-        map_file = self.folder / "link.map"
-        ours = [u for u in self.units.values() if not u.is_test]
-        self.must([*self.link_command([self.object_of(test)], test.group, program), f"-Wl,-Map={map_file}"], "linking")
-        names = set(re.findall(r"/?liblubjoint_(?:scene|batch)\.a\(([\w.]+)\.o\)", map_file.read_text(errors="replace")))
-        test.members = sorted(u.source for u in ours if Path(u.source).name in names)
-        objects = [self.object_of(test), *(self.object_of(u) for u in ours if u.source in test.members)]
+        objects = [self.object_of(test), *(self.object_of(self.units[source]) for source in test.members)]
         self.must(self.link_command(objects, test.group, program), "linking")
         # What fails here needs the program or a file that is not built.
         status, output, used = run([program, "-r", "xml", "-d", "yes"], seconds=90, cwd=self.folder)
