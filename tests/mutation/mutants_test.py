@@ -3,6 +3,7 @@
 
 import unittest
 
+import embed
 import mutants
 
 SOURCE = """\
@@ -86,6 +87,49 @@ class Places(unittest.TestCase):
         share = mutants.shares({"film": [0] * 800, "joint": [0] * 100, "multibody": [0] * 700, "dynamics": [0] * 2000}, 250)
         self.assertEqual(sum(share.values()), 250)
         self.assertGreaterEqual(min(share.values()), 31)
+
+
+def embedded(text, wanted):
+    """The text with a switch, number 7, for the first change of `wanted`; and whether it is in."""
+    position, kind, old, new = next(c for c in mutants.changes(text) if c[2] == wanted)
+    mutant = mutants.Mutant("id", "film", "a.hpp", position, 1, 1, kind, old, new[0])
+    result, inside = embed.embed(text, [(7, mutant)])
+    return result, bool(inside)
+
+
+class Switches(unittest.TestCase):
+    def check(self, statement, wanted, switched):
+        text, inside = embedded("double f(double x) {\n  " + statement + "\n}\n", wanted)
+        self.assertTrue(inside)
+        self.assertEqual(text, "double f(double x) {\n  " + switched + "\n}\n")
+
+    def test_statements(self):
+        on = "lubjoint_mutation::on(7)"
+        self.check("return x + 1;", "+", f"{{ if ({on}) return x - 1; return x + 1; }}")
+        self.check("y = x * z;", "*", f"{{ if ({on}) {{ y = x / z; }} else {{ y = x * z; }} }}")
+        self.check("call(x);", "call(x);", f"{{ if ({on}) {{ ; }} else {{ call(x); }} }}")
+        self.check("const T y = x * z;", "*", f"const T y = [&]() -> T {{ if ({on}) return x / z; return x * z; }}();")
+        self.check("const V<T> y(x * z);", "*",
+                   f"const V<T> y = [&]() -> V<T> {{ if ({on}) return V<T>(x / z); return V<T>(x * z); }}();")  # fmt: skip
+
+    def test_conditions(self):
+        on = "lubjoint_mutation::on(7)"
+        switched = f"({on} ? static_cast<bool>(x <= z) : static_cast<bool>(x < z))"
+        self.check("if (x < z) return y;", "<", f"if ({switched}) return y;")
+        self.check("while (x < z) y();", "<", f"while ({switched}) y();")
+        self.check("for (int i = 5; x < z; ++i) y();", "<", f"for (int i = 5; {switched}; ++i) y();")
+        self.check("for (int i = 5; x < z; ++i) y();", "5", f"for (int i = ({on} ? 10 : 5); x < z; ++i) y();")
+
+    def test_what_the_compiler_evaluates_stays_out(self):
+        for text in ("struct A {\n  static constexpr int n = 5;\n};", "void f() {\n  constexpr int n = 5;\n}"):
+            self.assertEqual(embedded(text, "5"), (text, False))
+
+    def test_lines_keep_their_numbers(self):
+        source = "T f(T x) {\n  return x +  // one\n         g(x,\n           2);\n}\n"
+        text, inside = embedded(source, "+")
+        self.assertTrue(inside)
+        self.assertEqual(text.count("\n"), source.count("\n"))
+        self.assertIn("return x - g(x, 2);", text)
 
 
 if __name__ == "__main__":
