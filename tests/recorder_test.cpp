@@ -1,0 +1,154 @@
+#include <catch2/catch.hpp>
+#include <memory>
+#include <vector>
+
+#include "lubjoint/dynamics/journal_recorder.hpp"
+#include "lubjoint/dynamics/multibody_recorder.hpp"
+
+using namespace lubjoint;
+
+namespace {
+
+/// ε(t) = 0.8 − (t − 0.6)², |F|(t) = 10 − 40 (t − 0.3)²: each has one peak inside 0…1, in none of the looked-at points.
+struct TwoPeaks {
+  static double ratio(double t) { return 0.8 - (t - 0.6) * (t - 0.6); }
+  JournalState<double> journal(double, const JournalState<double>& y) const { return y; }
+  Vector2<double> force(double t, const JournalState<double>&) const { return {0, -(10 - 40 * (t - 0.3) * (t - 0.3))}; }
+};
+
+/// The motion of TwoPeaks; keeps the times that it is asked for.
+struct Asked {
+  std::vector<double>& times;
+  JournalState<double> operator()(double t) const {
+    times.push_back(t);
+    return {0.6 * TwoPeaks::ratio(t), -0.8 * TwoPeaks::ratio(t), 0, 0};
+  }
+};
+
+RunSettings every(double interval) {
+  RunSettings settings;
+  settings.duration = 1;
+  settings.output_interval = interval;
+  return settings;
+}
+
+using Step = MultibodyStep<double>;
+
+std::shared_ptr<const Step> step_over(double from, double to) {
+  auto step = std::make_shared<Step>();
+  step->t_old = from;
+  step->t_new = to;
+  return step;
+}
+
+/// Peak that a tracker finds of f, looked at four times a step.
+template <class F>
+Peak peak_of(const F& f, const std::vector<double>& steps) {
+  detail::PeakTracker<double> tracker;
+  for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
+    const auto step = step_over(steps[s], steps[s + 1]);
+    for (int i = 0; i <= 4; ++i) {
+      const double t = i == 4 ? step->t_new : step->t_old + (step->t_new - step->t_old) * i / 4;
+      tracker.consider(f(t), t, step, [&] { return f(t); });
+    }
+  }
+  const auto inside = [&](const Step& step, double t) {
+    CHECK(t >= step.t_old);
+    CHECK(t <= step.t_new);
+    return f(t);
+  };
+  return tracker.peak(4, inside, inside);
+}
+
+}  // namespace
+
+TEST_CASE("journal recorder: samples at every multiple of the interval and at the end, each once") {
+  JournalRecorder recorder(every(0.25));
+  std::vector<double> times;
+  const Asked motion{times};
+  const TwoPeaks mode;
+  recorder.start(mode, 0.0, motion(0));
+  recorder.step(mode, 0.0, 0.1, motion, 1);
+  recorder.step(mode, 0.1, 0.6, motion, 1);
+  recorder.step(mode, 0.6, 1.0, motion, 1);
+  recorder.finish(mode, 1.0, motion(1));
+  recorder.finish(mode, 1.0, motion(1));
+  std::vector<double> found;
+  for (const JournalSample& sample : recorder.samples()) {
+    found.push_back(sample.t);
+    CHECK(sample.eccentricity_ratio() == Approx(TwoPeaks::ratio(sample.t)).epsilon(1e-15));  // rounding
+    CHECK(sample.force == mode.force(sample.t, sample.state));
+  }
+  CHECK(found == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
+}
+
+TEST_CASE("journal recorder: a peak inside a step is found where it is, between the looks beside it") {
+  JournalRecorder recorder(every(10));
+  std::vector<double> times;
+  const Asked motion{times};
+  recorder.start(TwoPeaks{}, 0.0, motion(0));
+  times.clear();
+  recorder.step(TwoPeaks{}, 0.0, 1.0, motion, 4);
+  CHECK(recorder.max_eccentricity_ratio() == Approx(0.8).epsilon(1e-14));  // Brent's 26 bits, squared
+  CHECK(recorder.max_force() == Approx(10).epsilon(1e-13));
+  // Looks at 0, ¼ … 1, then searches around ¼ and ½ for the force, around ½ for ε: nothing beyond ¾.
+  REQUIRE(times.size() > 5);
+  CHECK(times[4] == 1);
+  for (std::size_t i = 5; i < times.size(); ++i) CHECK((times[i] >= 0 && times[i] <= 0.75));
+}
+
+TEST_CASE(
+    "journal recorder: on the way up or down the largest value is that of the step's end, and no search is made") {
+  for (const bool up : {true, false}) {
+    JournalRecorder recorder(every(10));
+    std::vector<double> times;
+    const double start = up ? 0.0 : 0.7;  // ε rises until 0.6
+    const double end = up ? 0.2 : 1.0;
+    const Asked motion{times};
+    recorder.start(TwoPeaks{}, start, motion(start));
+    times.clear();
+    recorder.step(TwoPeaks{}, start, end, motion, 4);
+    CHECK(times.size() == 5);
+    const double highest = TwoPeaks::ratio(up ? end : start);
+    CHECK(recorder.max_eccentricity_ratio() == Approx(highest).epsilon(1e-15));  // rounding
+  }
+}
+
+TEST_CASE("journal recorder: the state at the start counts") {
+  JournalRecorder recorder(every(10));
+  std::vector<double> times;
+  const Asked motion{times};
+  recorder.start(TwoPeaks{}, 0.6, motion(0.6));
+  CHECK(recorder.max_eccentricity_ratio() == Approx(0.8).epsilon(1e-15));  // rounding
+  CHECK(recorder.max_force() == Approx(10 - 40 * 0.09).epsilon(1e-15));
+}
+
+TEST_CASE("peaks of a mechanism: found inside a step, and where two steps meet on either side of them") {
+  const auto around = [](double top) { return [top](double t) { return 5 - (t - top) * (t - top); }; };
+  for (const double top : {0.31, 0.5, 0.49, 0.51, 0.07, 0.93}) {
+    INFO("peak at " << top);
+    const Peak peak = peak_of(around(top), {0, 0.5, 1});
+    CHECK(peak.value == Approx(5).epsilon(1e-14));  // Brent's 26 bits, squared
+    CHECK(std::abs(peak.t - top) < 1e-6);           // those bits
+  }
+}
+
+TEST_CASE("peaks of a mechanism: on a rise, the end; on a fall, the start; of a quantity below zero, too") {
+  const auto rise = [](double t) { return 2 * t - 7; };
+  const auto fall = [](double t) { return -2 * t - 7; };
+  CHECK(peak_of(rise, {0, 0.5, 1}).value == Approx(-5).epsilon(1e-7));  // Brent's bits
+  CHECK(peak_of(rise, {0, 0.5, 1}).t == Approx(1).epsilon(1e-7));
+  CHECK(peak_of(fall, {0, 0.5, 1}).value == Approx(-7).epsilon(1e-7));
+  CHECK(std::abs(peak_of(fall, {0, 0.5, 1}).t) < 1e-7);
+}
+
+TEST_CASE("peaks of a mechanism: what the interpolant shows and the method does not confirm is none") {
+  detail::PeakTracker<double> tracker;
+  const auto step = step_over(0, 1);
+  tracker.consider(1, 0.0, step, [] { return 1.0; });
+  tracker.consider(100, 0.5, step, [] { return 2.0; });
+  tracker.consider(3, 1.0, step, [] { return 3.0; });
+  const auto quantity = [](const Step&, double) { return 50.0; };
+  CHECK(tracker.peak(4, quantity, [](const Step&, double) { return 2.5; }).value == 3);
+  CHECK(detail::PeakTracker<double>().peak(4, quantity, quantity).value == 0);
+}
