@@ -10,6 +10,9 @@ namespace {
 /// CLI11 names neither the command that it does not know nor what a number may be.
 std::string in_own_words(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   if (dynamic_cast<const CLI::ConversionError*>(&error)) return error.what() + std::string("; allowed is a number");
+  // Nor, where an argument is empty, that there is one.
+  if (dynamic_cast<const CLI::ExtrasError*>(&error))
+    return error.what() + std::string("; allowed is what --help lists");
   if (!dynamic_cast<const CLI::RequiredError*>(&error) || !app.get_subcommands().empty()) return error.what();
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
