@@ -285,11 +285,18 @@ TEST_CASE("Scene: a file that can't be read, is a folder, empty, binary or cut o
   check_refused(std::string("\x7f"
                             "ELF\x02\x01\0\0\xff\xfe",
                             10),
-                1, {"not valid TOML", "allowed is"});
+                1, {"beyond ASCII", "allowed in keys are"});
   check_refused(
       "\xff\xfe"
       "n\0a\0m\0e\0",
-      1, {"not valid TOML"});
+      1, {"beyond ASCII"});
+  check_refused("name = \"c\"\nduratna\u048con =", 2, {"beyond ASCII"});
+  // In strings and comments any letter may stand, also after quotes that are escaped or within the other kind.
+  for (const char* line : {"# µ, \"ö", "name = \"Käfig \\\" ß\"", "name = 'Käfig \" ß'", "name = \"\"\"K'\"ä\"\"\""}) {
+    const auto message = refusal(std::string("\xEF\xBB\xBF") + line + "\n");
+    REQUIRE(message);
+    CHECK_THAT(*message, !Catch::Contains("beyond ASCII"));
+  }
   // Cut after any byte: refused, or a whole scene up to there; never a crash, never another kind of error.
   const std::string text = read_text(journal_scene_file);
   std::size_t accepted = 0;
@@ -309,8 +316,7 @@ TEST_CASE("Scene: what is no free journal is refused by simulation and equilibri
   const TemporaryFolder folder;
   const std::string text = read_text(journal_scene_file);
   // Nothing holds this body; what the file says of joints stands before its first table.
-  const std::string no_joint =
-      folder.write("no-joint.toml", "joints = []\n" + text.substr(0, text.find("[[joints]]")));
+  const std::string no_joint = folder.write("no-joint.toml", "joints = []\n" + text.substr(0, text.find("[[joints]]")));
   const std::string off_centre =
       folder.write("off-centre.toml", journal_text().with("joints[0].journal.point", "[1e-5, 0.0]"));
   const std::string no_spin = folder.write("no-spin.toml", journal_text().with("bodies[0].spin", "0"));

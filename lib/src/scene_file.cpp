@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
@@ -178,7 +180,45 @@ SceneFile::SceneFile(const std::filesystem::path& file) : name_(file.string()) {
 }
 
 namespace {
+/// Place behind the string that opens at `begin`.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const std::string three(3, quote);
+  const bool long_one = text.substr(begin, 3) == three;
+  std::size_t i = begin + (long_one ? 3 : 1);
+  while (i < text.size()) {
+    if (long_one ? text.substr(i, 3) == three : text[i] == quote) return i + (long_one ? 3 : 1);
+    if (!long_one && text[i] == '\n') return i;  // never closed: the parser says so
+    i += quote == '"' && text[i] == '\\' ? 2 : 1;
+  }
+  return text.size();
+}
+
+/// Place of the first byte beyond ASCII outside of strings and comments, if there is one. TOML has none there, and
+/// toml++ 3.3 does not define what it makes of some.
+std::optional<std::size_t> bare_letter(std::string_view text) {
+  std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // byte order mark
+  while (i < text.size()) {
+    if (text[i] == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (text[i] == '"' || text[i] == '\'') {
+      i = end_of_string(text, i);
+    } else if (static_cast<unsigned char>(text[i]) >= 0x80) {
+      return i;
+    } else {
+      ++i;
+    }
+  }
+  return {};
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const auto place = bare_letter(text)) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(*place);
+    throw SceneError(name + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                     ": a character beyond ASCII outside of strings and comments; allowed in keys are letters A to Z, "
+                     "digits, _ and -");
+  }
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& failure) {
