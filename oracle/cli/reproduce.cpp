@@ -4,6 +4,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/reports/data_folder.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/page/page.hpp"
 #ifdef LUBJOINT_HAS_PROOFS
@@ -43,14 +44,16 @@ int reproduce(const Options& options) {
   const Scene scene = load_scene(fs::path(options.scenes) / "journal.toml");
   journal_scene(scene);  // refuses what is no journal before a folder is made
   page::Content content;
-  if (options.data) read_data(*options.data, content);
+  const fs::path measured = reports::data_folder() / "measured";  // ships with the project
+  if (options.data || fs::is_directory(measured)) read_data(options.data.value_or(measured), content);
   reports::prepare_folder(options.out);
 
   content.journal = reports::run_example_1(scene);
   std::cout << reports::example_1_table(content.journal) << '\n';
   content.model_error = page::bearing_model_error(content.journal);
   for (std::size_t i = 0; i < content.journal.laws.size(); ++i) {
-    const std::string warning = reports::model_warning(content.journal.laws[i].scene.joints[0], content.model_error.visited[i]);
+    const std::string warning =
+        reports::model_warning(content.journal.laws[i].scene.joints[0], content.model_error.visited[i]);
     if (!warning.empty()) std::cout << warning << '\n';
   }
   content.slider_crank = reports::run_example_2(options.scenes);
@@ -78,8 +81,10 @@ void add_reproduce(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; report.html");
   command->add_option("--out", options->out, "Folder for report.html, CSV files and plots")->capture_default_str();
   command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");
-  command->add_option("--data", options->data,
-                      "Folder with bench-scenes.csv and stress.csv, which bench and stress write, for the report");
+  command->add_option(
+      "--data", options->data,
+      "Folder with bench-scenes.csv and stress.csv, which bench and stress write, for the report; left out: those "
+      "that ship");
   command->callback([options, &action] { action = [options] { return reproduce(*options); }; });
 }
 
