@@ -226,8 +226,10 @@ const char* stress_status_name(StressStatus status) {
 }
 
 double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film) {
-  const double coarse = tolerance / (coarse_share * std::max(thinnest_film, std::numeric_limits<double>::min()));
-  return std::max({1e3 * tolerance, 1e-3, 10 * reference_agreement}) * std::max(1.0, coarse);
+  constexpr double steepest = 2.5;
+  const double film = std::max(thinnest_film, std::numeric_limits<double>::min());
+  const double coarse = tolerance > coarse_share * film ? steepest * tolerance / (coarse_share * film) : 1;
+  return std::max({1e3 * tolerance, 1e-3, 10 * reference_agreement}) * coarse;
 }
 
 StressSettings stress_settings(bool quick) {

@@ -47,7 +47,8 @@ StressSettings stress_settings(bool quick);
 
 /// The error above which a run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times what two
 /// references differ by (a motion that amplifies every rounding has no better reference). Where the tolerance is more
-/// than a thousandth of the thinnest film, of which a run warns, so many times more.
+/// than a thousandth of the thinnest film, of which a run warns, 5/2 so many times more: forces follow the thickness to a
+/// power of up to 5/2.
 /// @param thinnest_film  of the run, in clearances
 double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film);
 
