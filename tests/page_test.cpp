@@ -257,6 +257,7 @@ TEST_CASE("report: tables of others are refused with file, line and what is allo
   CHECK_THAT(refused(head + ",f,i,1e-6,1,1,1,0,1,0,0,finished,\n"), Contains("scene is empty; allowed"));
   const std::string stress = "case,law,integrator,status,error,seconds,steps,message\n";
   const std::string row = "c,l,i,finished,1e-9,1,1,\n";
+  CHECK(page::read_stability(stress + "c,l,i,coarse,0.1,1,1,warned\n", "t").rows[0].status == page::RowStatus::coarse);
   CHECK(page::read_stability(stress + "c,l,i,wrong,,1,1,off\n", "t").rows[0].status == page::RowStatus::wrong);
   CHECK(page::read_stability(stress + row, "stress.csv").rows.size() == 1);
   CHECK_THROWS_WITH(page::read_stability(stress + row + row, "stress.csv"), Contains("stress.csv:3"));

@@ -28,7 +28,7 @@ double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTraje
 std::string resolution_warning(const SceneJoint& joint, double thinnest, double tolerance) {
   if (tolerance <= coarse_share * thinnest) return {};
   const double needed = std::pow(10, std::floor(std::log10(coarse_share * std::max(thinnest, 1e-300))));
-  const std::string share = tolerance < thinnest ? fmt::format("{:.1g} % of", 100 * tolerance / thinnest) : "more than";
+  const std::string share = tolerance < thinnest ? fmt::format("{:.2} of", tolerance / thinnest) : "more than";
   return fmt::format(
       "warning: the tolerance of {:.0e} clearances is {} the thinnest film in joint \"{}\", {:.1e} clearances: places "
       "may be off by much more than the tolerance. {}",

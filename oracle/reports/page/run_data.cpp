@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::pair<std::string_view, RowStatus> of_a_run[] = {{"finished", RowStatus::finished},
                                                                {"stopped", RowStatus::stopped}};
-constexpr std::pair<std::string_view, RowStatus> of_a_case[] = {
-    {"finished", RowStatus::finished}, {"stopped", RowStatus::stopped}, {"wrong", RowStatus::wrong}};
+constexpr std::pair<std::string_view, RowStatus> of_a_case[] = {{"finished", RowStatus::finished},
+                                                                {"coarse", RowStatus::coarse},
+                                                                {"stopped", RowStatus::stopped},
+                                                                {"wrong", RowStatus::wrong}};
 
 template <class Words>
 RowStatus status_of(const CsvTable& table, std::size_t row, const Words& words) {

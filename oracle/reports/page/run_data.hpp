@@ -10,6 +10,7 @@ namespace lubjoint::reports::page {
 
 enum class RowStatus {
   finished,
+  coarse,   ///< of extreme cases: finished further off than its tolerance lets one expect, and warned of that itself
   stopped,  ///< with a reason
   wrong     ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
 };
@@ -53,7 +54,8 @@ struct Stability {
   std::vector<StabilityRow> rows;
 };
 
-/// Columns case, law, integrator, status (finished, stopped, wrong), error (may be empty), seconds, steps, message.
+/// Columns case, law, integrator, status (finished, coarse, stopped, wrong), error (may be
+/// empty), seconds, steps, message.
 /// @throws CsvError
 Stability read_stability(std::string_view csv, const std::string& name);
 

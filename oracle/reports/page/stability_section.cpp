@@ -43,8 +43,9 @@ std::string cell_of(const StabilityRow* row) {
   while (error > level->bound) ++level;
   // Digits of e/c that are right, at most those of a double.
   const double digits = error > 0 ? std::clamp(std::floor(-std::log10(error)), 0.0, 16.0) : 16.0;
-  return fmt::format("<td class=\"{}\" title=\"finished, error {} c\">{:.0f}</td>", level->look, scientific(error),
-                     digits);
+  const std::string said = row->message.empty() ? "" : ": " + row->message;
+  return fmt::format("<td class=\"{}\" title=\"{}\">{:.0f}</td>", level->look,
+                     escaped("finished, error " + scientific(error) + " c" + said), digits);
 }
 
 class Map {
@@ -94,19 +95,20 @@ class Map {
 };
 
 std::string stopped_table(const std::vector<StabilityRow>& rows) {
-  Table table("Runs that stopped or are wrong",
+  Table table("Runs that stopped, are too coarse, or are wrong",
               {{"case", {}, false}, {"law", {}, false}, {"integrator", {}, false}, {"what happened", {}, false}});
   std::size_t count = 0;
   for (const StabilityRow& row : rows) {
     if (row.status == RowStatus::finished) continue;
     const bool wrong = row.status == RowStatus::wrong;
-    table.row({row.problem, row.law, row.integrator,
-               Cell((wrong ? "✗ wrong: " : "stopped: ") + row.message, wrong ? "bad" : "")});
+    const char* what = wrong ? "✗ wrong: " : row.status == RowStatus::coarse ? "finished, " : "stopped: ";
+    table.row({row.problem, row.law, row.integrator, Cell(what + row.message, wrong ? "bad" : "")});
     ++count;
   }
-  if (count == 0) return "<p>No run stopped, and none is wrong.</p>\n";
-  return fmt::format("<details>\n<summary>{} of {} runs stopped or are wrong</summary>\n{}</details>\n", count,
-                     rows.size(), table.html());
+  if (count == 0) return "<p>No run stopped, none is too coarse, and none is wrong.</p>\n";
+  return fmt::format(
+      "<details>\n<summary>{} of {} runs stopped, are too coarse and said so, or are wrong</summary>\n{}</details>\n",
+      count, rows.size(), table.html());
 }
 
 }  // namespace

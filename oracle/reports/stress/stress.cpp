@@ -172,22 +172,23 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
                   run.seconds,
                   run.outcome.steps + run.outcome.rejected_steps,
                   run.outcome.message};
-  if (finished) {
-    cell.message = resolution_warning(scene.joints.front(), run.thinnest_film, scene.run.absolute_tolerance);
-  }
+  const std::string warning = resolution_warning(scene.joints.front(), run.thinnest_film, scene.run.relative_tolerance);
+  if (finished) cell.message = warning;
+  if (reference.run) cell.error = distance(run, *reference.run);
+  const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement);
   if (!run.fault.empty()) {
     cell.status = StressStatus::wrong;
     cell.message = run.fault;
-  } else if (reference.run) {
-    cell.error = distance(run, *reference.run);
-    const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement, run.thinnest_film);
-    if (!(*cell.error <= limit)) {
+  } else if (cell.error && !(*cell.error <= limit)) {
+    if (!warning.empty()) {
+      if (finished) cell.status = StressStatus::coarse;
+    } else {
       cell.status = StressStatus::wrong;
       cell.message = fmt::format("error {:.1e} where the tolerance of {:.0e} lets one expect less than {:.0e}",
                                  *cell.error, scene.run.relative_tolerance, limit);
       if (!finished) cell.message += "; " + run.outcome.message;
     }
-  } else if (finished) {
+  } else if (!reference.run && finished) {
     cell.message += (cell.message.empty() ? "" : "; ") + reference.why_none;
   }
   cell.message = without_commas(cell.message);
@@ -208,7 +209,7 @@ std::map<CellKey, StressCell> cells_of(const CsvTable& table) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto text = [&](const char* column) { return std::string(table.field(i, table.column(column))); };
     StressCell cell{text("case"), text("law"), text("integrator"), StressStatus::finished, {}, 0, 0, text("message")};
-    for (const StressStatus status : {StressStatus::stopped, StressStatus::wrong}) {
+    for (const StressStatus status : {StressStatus::coarse, StressStatus::stopped, StressStatus::wrong}) {
       if (text("status") == stress_status_name(status)) cell.status = status;
     }
     if (!text("error").empty()) cell.error = table.number(i, table.column("error"));
@@ -222,14 +223,21 @@ std::map<CellKey, StressCell> cells_of(const CsvTable& table) {
 }  // namespace
 
 const char* stress_status_name(StressStatus status) {
-  return status == StressStatus::finished ? "finished" : status == StressStatus::stopped ? "stopped" : "wrong";
+  switch (status) {
+    case StressStatus::finished:
+      return "finished";
+    case StressStatus::coarse:
+      return "coarse";
+    case StressStatus::stopped:
+      return "stopped";
+    case StressStatus::wrong:
+      break;
+  }
+  return "wrong";
 }
 
-double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film) {
-  constexpr double steepest = 2.5;
-  const double film = std::max(thinnest_film, std::numeric_limits<double>::min());
-  const double coarse = tolerance > coarse_share * film ? steepest * tolerance / (coarse_share * film) : 1;
-  return std::max({1e3 * tolerance, 1e-3, 10 * reference_agreement}) * coarse;
+double stress_error_limit(double tolerance, double reference_agreement) {
+  return std::max({std::min(1e3 * tolerance, 0.1), 1e-3, 10 * reference_agreement});
 }
 
 StressSettings stress_settings(bool quick) {

@@ -12,7 +12,8 @@ namespace lubjoint::reports {
 
 enum class StressStatus {
   finished,  ///< at the end of the duration, as accurate as asked for or nearly so
-  stopped,   ///< with a reason, the results so far kept
+  coarse,  ///< at the end, further off than that, and the run itself warns that the tolerance does not resolve its film
+  stopped,  ///< with a reason, the results so far kept
   wrong  ///< finished or stopped far from the reference, a number that is none, a stop without a reason, an exception
 };
 
@@ -46,11 +47,9 @@ struct StressSettings {
 StressSettings stress_settings(bool quick);
 
 /// The error above which a run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times what two
-/// references differ by (a motion that amplifies every rounding has no better reference). Where the tolerance is more
-/// than a thousandth of the thinnest film, of which a run warns, 5/2 so many times more: forces follow the thickness to a
-/// power of up to 5/2.
-/// @param thinnest_film  of the run, in clearances
-double stress_error_limit(double tolerance, double reference_agreement, double thinnest_film);
+/// references differ by (a motion that amplifies every rounding has no better reference); of a loose tolerance no more
+/// than a tenth of a clearance. A run beyond it that has itself warned of its tolerance is coarse.
+double stress_error_limit(double tolerance, double reference_agreement);
 
 /// What the cells of a resume file depend on: cases, scenes, laws, integrators and limits.
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);

@@ -32,7 +32,7 @@ Matrix summarise(const std::vector<StressCell>& cells) {
     ++at.laws;
     if (cell.status == StressStatus::wrong) ++at.wrong;
     if (cell.status == StressStatus::stopped) ++at.stopped;
-    if (cell.status != StressStatus::finished) continue;
+    if (cell.status == StressStatus::wrong || cell.status == StressStatus::stopped) continue;
     if (cell.error) {
       at.worst = std::max(at.worst, *cell.error);
     } else {
@@ -82,11 +82,13 @@ std::string stop_kind(const std::string& message) {
 std::string stress_table(const std::vector<StressCase>& cases, const std::vector<StressCell>& cells) {
   const Matrix matrix = summarise(cells);
   const std::vector<std::string> integrators = in_order(cells, integrator_of);
-  std::string text = fmt::format("{} cells: {}, {}, {}\n", cells.size(), count_of(cells, StressStatus::finished),
-                                 count_of(cells, StressStatus::stopped), count_of(cells, StressStatus::wrong));
+  std::string text = fmt::format("{} cells: {}, {}, {}, {}\n", cells.size(), count_of(cells, StressStatus::finished),
+                                 count_of(cells, StressStatus::coarse), count_of(cells, StressStatus::stopped),
+                                 count_of(cells, StressStatus::wrong));
   text +=
       "Largest error of the journal's position [clearances] over the laws; 3s: three laws stopped with a reason; "
-      "?: no reference\n\n";
+      "?: no reference\n"
+      "coarse: further off than the tolerance lets one expect, and warned that it does not resolve the film\n\n";
   text += fmt::format("{:<32}", "case");
   for (const std::string& name : integrators) {
     text += fmt::format("{:>12}", name == "adams_bashforth_moulton" ? "adams_b_m" : name.substr(0, 11));
