@@ -28,14 +28,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, jacobian_group, 1>>;
 
   /// @param with_ledger  integrate the work of each term, too
-  MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
-      : system_(system),
-        with_ledger_(with_ledger),
-        real_(system.template workspace<R>()),
-        dual_(system.template workspace<Dual>()) {
-    for (const JointElement<R>& joint : system.joints()) has_contact_ = has_contact_ || joint.has_contact();
-    if (has_contact_) memory_.resize(system.joints().size());
-  }
+  MultibodyOde(const PlanarSystem<R>& system, bool with_ledger);
 
   const PlanarSystem<R>& system() const { return system_; }                    ///< whose equations these are
   bool with_ledger() const { return with_ledger_; }                            ///< is the work integrated?
@@ -50,27 +43,16 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
 
   /// ẏ; counted.
-  void rate(const State& y, State& dydt, const R& t) override {
-    ++evaluations_;
-    fill(t, y, dydt, real_);
-  }
+  void rate(const State& y, State& dydt, const R& t) override;
   /// ∂ẏ/∂y, exact.
-  void jacobian(const State& y, Jacobian& j, const R& t) override {
-    derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
-  }
+  void jacobian(const State& y, Jacobian& j, const R& t) override;
   /// ∂ẏ/∂t, exact.
-  void time_slope(const State& y, State& slope, const R& t) override {
-    derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t,
-                                 slope);
-  }
+  void time_slope(const State& y, State& slope, const R& t) override;
 
   /// Everything at a state: joints, multipliers, rows. With the memory given, else the current one.
   const SystemWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }
   /// The same, with another memory.
-  const SystemWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
-    system_.evaluate(t, y.data(), memory, real_);
-    return real_;
-  }
+  const SystemWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory);
 
   SystemWorkspace<R>& workspace() { return real_; }  ///< of the last evaluation
 
@@ -131,5 +113,41 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   std::vector<JointMemory<R>> memory_;
   std::size_t evaluations_ = 0;
 };
+
+// Out of the class, where no function is inline: a declaration of an instance (multibody_scene.hpp) then spares those who
+// include it the compilation of every law, constraint and solver on numbers with derivatives.
+
+template <class R>
+MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
+    : system_(system),
+      with_ledger_(with_ledger),
+      real_(system.template workspace<R>()),
+      dual_(system.template workspace<Dual>()) {
+  for (const JointElement<R>& joint : system.joints()) has_contact_ = has_contact_ || joint.has_contact();
+  if (has_contact_) memory_.resize(system.joints().size());
+}
+
+template <class R>
+void MultibodyOde<R>::rate(const State& y, State& dydt, const R& t) {
+  ++evaluations_;
+  fill(t, y, dydt, real_);
+}
+
+template <class R>
+void MultibodyOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
+  derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
+}
+
+template <class R>
+void MultibodyOde<R>::time_slope(const State& y, State& slope, const R& t) {
+  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t,
+                               slope);
+}
+
+template <class R>
+const SystemWorkspace<R>& MultibodyOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+  system_.evaluate(t, y.data(), memory, real_);
+  return real_;
+}
 
 }  // namespace lubjoint

@@ -106,6 +106,7 @@ class RadauIIA5 {
         // An older Jacobian may be to blame: the same step again with a new one.
         const bool try_new_jacobian = !jacobian_is_of_this_state_;
         jacobian_is_usable_ = jacobian_is_of_this_state_;
+        if (!try_new_jacobian) longest_ = dt;
         return fail(dt, try_new_jacobian ? R(1) : R(0.5));
       }
       R error = estimate(parts.first, dt);
@@ -116,6 +117,7 @@ class RadauIIA5 {
       }
       return finish(x, t, dt, std::max<R>(error, R(1e-10)));
     } catch (const std::domain_error&) {
+      longest_ = dt;
       return fail(dt, R(0.5));
     }
   }
@@ -158,7 +160,14 @@ class RadauIIA5 {
   using Stages = std::array<Vector, 3>;
   using Index = Eigen::Index;
 
-  static constexpr int max_newton_iterations = 7;
+  // In a film a hundredth of a clearance thick it is not the error that limits a step, but how far the stages may go
+  // before the Jacobian of its start has nothing to do with them: Newton's iterations get slow, then diverge. A step
+  // aims at a rate of convergence at which they cost least for the time they bring (h over their number, with h in
+  // proportion to the rate, is largest at 1/e), may take as many as that needs, and comes slowly back to a length at
+  // which they have diverged.
+  static constexpr int max_newton_iterations = 15;
+  static constexpr double aimed_newton_rate = 0.3;
+  static constexpr double growth_after_divergence = 1.2;
   /// Newton's iterations that shrink faster than this need no new Jacobian for the next step.
   static constexpr double keep_jacobian_below = 1e-3;
   /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
@@ -187,6 +196,7 @@ class RadauIIA5 {
     first_step_ = true;
     last_failed_ = false;
     has_old_step_ = false;
+    longest_ = std::numeric_limits<R>::max();
     set_scale();
   }
 
@@ -340,6 +350,9 @@ class RadauIIA5 {
     jacobian_is_of_this_state_ = false;
     R next = dt / shrink;
     if (last_failed_) next = std::min<R>(next, dt);
+    if (longest_ < std::numeric_limits<R>::max() / 2) longest_ *= R(growth_after_divergence);
+    next = std::min<R>(next, std::max<R>(longest_, dt));
+    if (newton_rate_ > 0) next = std::min<R>(next, dt * std::max<R>(R(0.5), R(aimed_newton_rate) / newton_rate_));
     if (!(jacobian_is_usable_ && next >= dt && next <= R(keep_step_below) * dt)) dt = next;
     first_step_ = false;
     last_failed_ = false;
@@ -367,6 +380,7 @@ class RadauIIA5 {
   Vector f_end_;  ///< at the end of the trial step
   Matrix jacobian_;
   R factorised_for_ = 0;
+  R longest_ = 0;  ///< beyond this length Newton's iterations have lately diverged
   ShiftedSolver<R, dimension> solver_;
   Stages z_;
   int iterations_ = 0;
