@@ -106,8 +106,7 @@ class RadauIIA5 {
         // An older Jacobian may be to blame: the same step again with a new one.
         const bool try_new_jacobian = !jacobian_is_of_this_state_;
         jacobian_is_usable_ = jacobian_is_of_this_state_;
-        if (!try_new_jacobian) longest_ = dt;
-        return fail(dt, try_new_jacobian ? R(1) : R(0.5));
+        return try_new_jacobian ? fail(dt, R(1)) : diverge(dt);
       }
       R error = estimate(parts.first, dt);
       if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
@@ -117,8 +116,7 @@ class RadauIIA5 {
       }
       return finish(x, t, dt, std::max<R>(error, R(1e-10)));
     } catch (const std::domain_error&) {
-      longest_ = dt;
-      return fail(dt, R(0.5));
+      return diverge(dt);
     }
   }
 
@@ -164,10 +162,11 @@ class RadauIIA5 {
   // before the Jacobian of its start has nothing to do with them: Newton's iterations get slow, then diverge. A step
   // aims at a rate of convergence at which they cost least for the time they bring (h over their number, with h in
   // proportion to the rate, is largest at 1/e), may take as many as that needs, and comes slowly back to a length at
-  // which they have diverged.
+  // which they have diverged. Measured on the slider-cranks that ship: a half of the evaluations at 1e-5 where the film
+  // is thinnest, and none more elsewhere.
   static constexpr int max_newton_iterations = 15;
   static constexpr double aimed_newton_rate = 0.3;
-  static constexpr double growth_after_divergence = 1.2;
+  static constexpr double growth_after_divergence = 1.1;
   /// Newton's iterations that shrink faster than this need no new Jacobian for the next step.
   static constexpr double keep_jacobian_below = 1e-3;
   /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
@@ -214,6 +213,11 @@ class RadauIIA5 {
     last_failed_ = true;
     ++counts_.rejected;
     return boost::numeric::odeint::fail;
+  }
+
+  boost::numeric::odeint::controlled_step_result diverge(R& dt) {
+    longest_ = dt / 2;
+    return fail(dt, R(0.5));
   }
 
   void factorise(const R& dt) {
