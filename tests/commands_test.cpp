@@ -187,6 +187,26 @@ TEST_CASE("simulate: every law and integrator runs, and the integrators agree") 
   }
 }
 
+TEST_CASE("simulate: auto says what it picked and why, and picks by what dies out, not by what oscillates") {
+  // Films are stiff; neither a mechanism without one is, nor a journal that bounces on its wall (27 contacts).
+  for (const auto& [name, picked] : {std::pair("journal", "radau_iia5"),
+                                     {"slider-crank", "radau_iia5"},
+                                     {"slider-crank-ideal", "fehlberg78"},
+                                     {"impact", "fehlberg78"}}) {
+    INFO(name);
+    const std::string file = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/" + name + ".toml";
+    const Json summary = json_of({"simulate", file, "--integrator", "auto", "--json"});
+    CHECK(summary["integrator"] == picked);
+    const std::string reason = summary["integrator_reason"];
+    CHECK_THAT(reason,
+               Contains("stiff: stability asks an explicit method for") && Contains("steps, accuracy for about"));
+    CHECK_THAT(reason, StartsWith(std::string(picked) == "radau_iia5" ? "stiff" : "not stiff"));
+    CHECK_THAT(lubjoint_program({"simulate", file, "--integrator", "auto"}).out,
+               Contains(std::string(picked) + ", by auto: " + reason));
+    CHECK(json_of({"simulate", file, "--json"})["integrator_reason"] == "");
+  }
+}
+
 TEST_CASE("simulate: relative paths are those of the folder it runs in, and the summary alone is on standard output") {
   const TemporaryFolder folder;
   folder.write("s.toml", read_text(scene));

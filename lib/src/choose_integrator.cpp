@@ -1,6 +1,7 @@
 #include "choose_integrator.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -36,9 +37,9 @@ RunSettings pilot_settings(const RunSettings& settings) {
   return pilot;
 }
 
-double spectral_radius(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances) {
+double fastest_decay(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances) {
   if (!jacobian.allFinite()) return INFINITY;
-  if (jacobian.rows() <= largest_eigenvalue_problem) return jacobian.eigenvalues().cwiseAbs().maxCoeff();
+  if (jacobian.rows() <= largest_eigenvalue_problem) return std::max(0.0, -jacobian.eigenvalues().real().minCoeff());
   const auto scale = Eigen::Map<const Eigen::VectorXd>(tolerances.data(), jacobian.rows());
   return (scale.cwiseInverse().asDiagonal() * jacobian * scale.asDiagonal()).cwiseAbs().rowwise().sum().maxCoeff();
 }

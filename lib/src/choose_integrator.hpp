@@ -21,8 +21,10 @@ inline constexpr int pilot_samples = 64;
 /// Settings of the pilot run of a scene.
 RunSettings pilot_settings(const RunSettings& settings);
 
-/// Largest eigenvalue of a Jacobian in size [1/s]; of a large one, its norm in units of the tolerances.
-double spectral_radius(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances);
+/// Rate at which the fastest motion dies out, max(0, −Re λ) of a Jacobian's eigenvalues [1/s]; of a large one, its norm
+/// in units of the tolerances. An oscillation, such as that of a contact's stiffness, is no stiffness: who follows it
+/// takes its steps for accuracy.
+double fastest_decay(const Eigen::MatrixXd& jacobian, const std::vector<double>& tolerances);
 
 struct IntegratorChoice {
   std::string name;

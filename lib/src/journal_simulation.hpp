@@ -20,7 +20,7 @@ StiffnessMeasure measure_stiffness(const FreeJournal<Law>& journal, const Scene&
   Eigen::Matrix4d jacobian;
   for (const JournalSample& sample : pilot.recorder().samples()) {
     exact_jacobian([&](const auto& y, auto& dydt) { journal.rate(y, dydt); }, sample.state, jacobian);
-    measure.stability_steps += settings.output_interval * spectral_radius(jacobian, {});
+    measure.stability_steps += settings.output_interval * fastest_decay(jacobian, {});
   }
   return measure;
 }
@@ -38,6 +38,7 @@ JournalTrajectory simulate_journal_with(const Scene& scene) {
   }
   JournalRun<Law> run(journal, scene.joints.front().name, choice.name, scene.run);
   result.outcome = run.run(parts.start);
+  result.outcome.integrator = choice.name;
   result.outcome.integrator_reason = choice.reason;
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();

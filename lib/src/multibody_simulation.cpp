@@ -1,5 +1,6 @@
 #include "multibody_simulation.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -23,6 +24,30 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& 
   return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
 }
 
+/// The joints' memories along a run that is over, from its events: the equations keep those of its end.
+class MemoryAlong {
+ public:
+  MemoryAlong(MultibodyOde<double>& ode, const std::vector<ContactEvent>& events) : ode_(ode), events_(events) {
+    for (std::size_t i = events.size(); i-- > 0;) ode.memory()[events[i].joint].phase = events[i].from;
+  }
+  void go_to(double t) {
+    for (; next_ < events_.size() && events_[next_].t <= t; ++next_) {
+      const ContactEvent& event = events_[next_];
+      JointMemory<double>& memory = ode_.memory()[event.joint];
+      if (event.from == ContactPhase::film) {
+        const double least = ode_.system().joints()[event.joint].contact->min_impact_speed;
+        memory.impact_speed = std::max(event.normal_speed, least);
+      }
+      memory.phase = event.to;
+    }
+  }
+
+ private:
+  MultibodyOde<double>& ode_;
+  const std::vector<ContactEvent>& events_;
+  std::size_t next_ = 0;
+};
+
 detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::PreparedScene& prepared) {
   Scene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
@@ -34,13 +59,15 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   const RunOutcome outcome = pilot.run(prepared.start);
   detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0};
   Eigen::MatrixXd jacobian;
+  MemoryAlong memory(ode, pilot.events());
   for (const MultibodySample& sample : pilot.recorder().samples()) {
+    memory.go_to(sample.t);
     try {
       ode.jacobian(sample.state, jacobian, sample.t);
     } catch (const std::domain_error&) {  // a sample between two steps, in a film thinner than a pilot's tolerance
       continue;
     }
-    measure.stability_steps += pilot_scene.run.output_interval * detail::spectral_radius(jacobian, tolerances);
+    measure.stability_steps += pilot_scene.run.output_interval * detail::fastest_decay(jacobian, tolerances);
   }
   return measure;
 }

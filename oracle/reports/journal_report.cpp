@@ -7,13 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/film_state.hpp"
+#include "oracle/reports/outcome_words.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
 constexpr double degrees = 180 / boost::math::constants::pi<double>();
-
-const char* status_word(RunStatus status) { return status == RunStatus::finished ? "finished" : "stopped"; }
 
 double clearance_left(const JournalState<double>& y) {
   const double epsilon = std::hypot(y[0], y[1]);
@@ -60,29 +59,16 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
                     {"max_force", run.max_force},
                     {"min_film_thickness", run.min_film_thickness},
                     {"sliding", sliding}});
-  return {{"scene", scene.name},
-          {"law", joint.film},
-          {"integrator", scene.integrator},
-          {"status", status_word(run.outcome.status)},
-          {"message", run.outcome.message},
-          {"t_end", run.outcome.t_end},
-          {"steps", run.outcome.steps},
-          {"rejected_steps", run.outcome.rejected_steps},
-          {"rhs_evaluations", run.outcome.rhs_evaluations},
-          {"wall_s", run.wall_seconds},
-          {"joints", joints},
-          {"driver", nullptr},
-          {"energy_residual", nullptr}};
+  nlohmann::ordered_json summary = outcome_json(scene.name, joint.film, run.outcome, run.wall_seconds);
+  summary["joints"] = joints;
+  summary["driver"] = nullptr;
+  summary["energy_residual"] = nullptr;
+  return summary;
 }
 
 std::string summary_text(const Scene& scene, const JournalTrajectory& run) {
   const SceneJoint& joint = scene.joints.front();
-  std::string text =
-      fmt::format("scene        {}\nlaw          {}\nintegrator   {}\nstatus       {} at t = {} s\n", scene.name,
-                  joint.film, scene.integrator, status_word(run.outcome.status), run.outcome.t_end);
-  if (!run.outcome.message.empty()) text += fmt::format("message      {}\n", run.outcome.message);
-  text += fmt::format("cost         {} steps, {} rejected, {} evaluations, {:.3g} ms\n", run.outcome.steps,
-                      run.outcome.rejected_steps, run.outcome.rhs_evaluations, 1e3 * run.wall_seconds);
+  std::string text = outcome_text(scene.name, joint.film, run.outcome, run.wall_seconds);
   if (!run.samples.empty()) {
     const JournalSample& last = run.samples.back();
     text += fmt::format(

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "oracle/reports/outcome_words.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
-
-const char* status_word(RunStatus status) { return status == RunStatus::finished ? "finished" : "stopped"; }
 
 /// Laws of the joints; one name where all are the same.
 std::string laws_of(const Scene& scene) {
@@ -101,37 +101,23 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   if (!run.drivers.empty()) driver = driver_json(0);
   nlohmann::ordered_json residual = nullptr;
   if (run.energy_residual) residual = *run.energy_residual;
-  return {{"scene", scene.name},
-          {"law", laws_of(scene)},
-          {"integrator", scene.integrator},
-          {"status", status_word(run.outcome.status)},
-          {"message", run.outcome.message},
-          {"t_end", run.outcome.t_end},
-          {"steps", run.outcome.steps},
-          {"rejected_steps", run.outcome.rejected_steps},
-          {"rhs_evaluations", run.outcome.rhs_evaluations},
-          {"wall_s", run.wall_seconds},
-          {"joints", joints},
-          {"driver", driver},
-          {"drivers", drivers},
-          {"energy_residual", residual},
-          {"energy_scale", run.energy_scale},
-          {"constraint_drift", {{"position", run.drift.position}, {"velocity", run.drift.velocity}}},
-          {"start_correction",
-           {{"position", run.correction.position},
-            {"angle", run.correction.angle},
-            {"velocity", run.correction.velocity},
-            {"spin", run.correction.spin}}},
-          {"contact_events", events}};
+  nlohmann::ordered_json summary = outcome_json(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
+  summary["joints"] = joints;
+  summary["driver"] = driver;
+  summary["drivers"] = drivers;
+  summary["energy_residual"] = residual;
+  summary["energy_scale"] = run.energy_scale;
+  summary["constraint_drift"] = {{"position", run.drift.position}, {"velocity", run.drift.velocity}};
+  summary["start_correction"] = {{"position", run.correction.position},
+                                 {"angle", run.correction.angle},
+                                 {"velocity", run.correction.velocity},
+                                 {"spin", run.correction.spin}};
+  summary["contact_events"] = events;
+  return summary;
 }
 
 std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
-  std::string text =
-      fmt::format("scene        {}\nlaw          {}\nintegrator   {}\nstatus       {} at t = {} s\n", scene.name,
-                  laws_of(scene), scene.integrator, status_word(run.outcome.status), run.outcome.t_end);
-  if (!run.outcome.message.empty()) text += fmt::format("message      {}\n", run.outcome.message);
-  text += fmt::format("cost         {} steps, {} rejected, {} evaluations, {:.3g} ms\n", run.outcome.steps,
-                      run.outcome.rejected_steps, run.outcome.rhs_evaluations, 1e3 * run.wall_seconds);
+  std::string text = outcome_text(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const double c = scene.joints[j].clearance;
     const JointSample& last = run.samples.back().joints[j];
