@@ -188,11 +188,12 @@ TEST_CASE("simulate: every law and integrator runs, and the integrators agree") 
 }
 
 TEST_CASE("simulate: auto says what it picked and why, and picks by what dies out, not by what oscillates") {
-  // Films are stiff; neither a mechanism without one is, nor a journal that bounces on its wall (27 contacts).
+  // Films are stiff; neither a mechanism without one is, nor a journal that bounces on its wall (27 contacts). There,
+  // in kinks, the pair of order 8 is of no use.
   for (const auto& [name, picked] : {std::pair("journal", "radau_iia5"),
                                      {"slider-crank", "radau_iia5"},
                                      {"slider-crank-ideal", "fehlberg78"},
-                                     {"impact", "fehlberg78"}}) {
+                                     {"impact", "dopri5"}}) {
     INFO(name);
     const std::string file = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/" + name + ".toml";
     const Json summary = json_of({"simulate", file, "--integrator", "auto", "--json"});

@@ -134,14 +134,15 @@ TEST_CASE("dense output knows where its last step began") {
 TEST_CASE("numbers in messages have ten digits") { CHECK(detail::number(1.0 / 3) == "0.3333333333"); }
 
 TEST_CASE("auto: an explicit method where stability asks for fewer than four times the steps of accuracy") {
-  const auto choice = [](double pilot_steps, double stability_steps, double tolerance) {
-    return detail::choose_integrator({true, pilot_steps, 3.3 * stability_steps}, tolerance).name;
+  const auto choice = [](double pilot_steps, double stability_steps, double tolerance, bool smooth = true) {
+    return detail::choose_integrator({true, pilot_steps, 3.3 * stability_steps, smooth}, tolerance).name;
   };
   CHECK(choice(100, 1590, 1e-7) == "fehlberg78");  // accuracy: 100 steps at 1e-4 are 398 at 1e-7
+  CHECK(choice(100, 1590, 1e-7, false) == "dopri5");
   CHECK(choice(100, 1595, 1e-7) == "radau_iia5");
   CHECK(choice(100, 399, 1e-4) == "dopri5");
   CHECK(choice(100, 401, 1e-4) == "radau_iia5");
-  CHECK(detail::choose_integrator({false, 1, 0}, 1e-7).name == "radau_iia5");
+  CHECK(detail::choose_integrator({false, 1, 0, true}, 1e-7).name == "radau_iia5");
 }
 
 TEST_CASE("equations of motion: the derivative with respect to time is exact, and its vector needs no size") {

@@ -18,7 +18,8 @@ constexpr double stability_reach = 3.3;
 /// An explicit step of order 5 costs 6 evaluations; one of Radau about 25, its Jacobian and factors counted.
 constexpr double implicit_step_cost = 4;
 
-/// Below this tolerance the pair of order 8 needs fewer evaluations than the one of order 5.
+/// Below this tolerance the pair of order 8 needs fewer evaluations than the one of order 5, where the motion is
+/// smooth.
 constexpr double high_order_below = 1e-6;
 
 std::string rounded(double steps) {
@@ -53,7 +54,8 @@ IntegratorChoice choose_integrator(const StiffnessMeasure& measure, double relat
   const std::string counts = "stability asks an explicit method for " + rounded(stability_steps) +
                              " steps, accuracy for about " + rounded(accuracy_steps);
   if (stability_steps > implicit_step_cost * accuracy_steps) return {"radau_iia5", "stiff: " + counts};
-  return {relative_tolerance < high_order_below ? "fehlberg78" : "dopri5", "not stiff: " + counts};
+  const bool high_order = measure.smooth && relative_tolerance < high_order_below;
+  return {high_order ? "fehlberg78" : "dopri5", "not stiff: " + counts};
 }
 
 }  // namespace lubjoint::detail

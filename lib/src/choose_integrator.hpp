@@ -13,6 +13,7 @@ struct StiffnessMeasure {
   bool pilot_finished = false;
   double pilot_steps = 0;      ///< of radau_iia5 at pilot_tolerance
   double stability_steps = 0;  ///< that the stability of dopri5 asks for, however loose the tolerance
+  bool smooth = false;         ///< no film and no contact, whose forces have kinks that an order of 8 does not see
 };
 
 inline constexpr double pilot_tolerance = 1e-4;

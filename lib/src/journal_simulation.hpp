@@ -16,7 +16,7 @@ StiffnessMeasure measure_stiffness(const FreeJournal<Law>& journal, const Scene&
   const RunSettings settings = pilot_settings(scene.run);
   JournalRun<Law> pilot(journal, scene.joints.front().name, "radau_iia5", settings);
   const RunOutcome outcome = pilot.run(start);
-  StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0};
+  StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0, false};
   Eigen::Matrix4d jacobian;
   for (const JournalSample& sample : pilot.recorder().samples()) {
     exact_jacobian([&](const auto& y, auto& dydt) { journal.rate(y, dydt); }, sample.state, jacobian);

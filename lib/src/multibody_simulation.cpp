@@ -57,7 +57,8 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances),
                              upkeep_of(scene));
   const RunOutcome outcome = pilot.run(prepared.start);
-  detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0};
+  detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0,
+                                   scene.joints.empty()};
   Eigen::MatrixXd jacobian;
   MemoryAlong memory(ode, pilot.events());
   for (const MultibodySample& sample : pilot.recorder().samples()) {
