@@ -34,16 +34,18 @@ double worst_rate(const PlanarSystem<double>& system, const std::vector<double>&
   return worst;
 }
 
-/// A rod on a pin at the origin, its other end in an oil film.
+/// A rod on a pin at the origin, its other end in an oil film; at an angle at which it accelerates in x and y.
 Scene rod_in_a_film() {
   Scene scene = load_scene(scenes + "impact.toml");
+  const double angle = 0.7;
+  const Vector2<double> along(std::cos(angle), std::sin(angle));
   SceneJoint joint = scene.joints[0];
   joint.contact.reset();
   joint.transition.reset();
-  joint.bearing = {std::nullopt, {0.2, 0}};
+  joint.bearing = {std::nullopt, {0.2 * along.x() + 1e-5, 0.2 * along.y() - 8e-5}};
   joint.journal = {0, {0.1, 0}};
-  scene.bodies = {body("rod", 0.3, 2e-3, {0.1, 1e-5}, 4e-4)};
-  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 1e-5}}, {0, {-0.1, 0}}}}};
+  scene.bodies = {body("rod", 0.3, 2e-3, {0.1 * along.x(), 0.1 * along.y()}, angle)};
+  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-0.1, 0}}}}};
   scene.joints = {joint};
   return scene;
 }
@@ -188,6 +190,18 @@ TEST_CASE("equations of motion: the exact Jacobian of a body that a constraint a
       CHECK(std::abs((high[row] - low[row]) / (2 * h) - entry) < 1e-4 * size + 1e-9);  // rounding over h
     }
   }
+}
+
+TEST_CASE("constraints that are all but the same count as the same, in the rank, too") {
+  Scene scene;
+  scene.name = "rod";
+  scene.bodies = {body("rod", 0.3, 2e-3, {0.1, 0})};
+  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-0.1, 0}}}},
+                       {"near", SceneRevolute{{std::nullopt, {1e-12, 0}}, {0, {-0.1 + 1e-12, 0}}}}};
+  const auto system = planar_system<double>(scene);
+  auto y = scene_start<double>(scene);
+  CHECK_THROWS_WITH(assemble_start(system, 0.0, 0.1, y),
+                    Contains("\"near\" repeats what others fix already: \"pin\";") && Contains("4 rows of rank 2"));
 }
 
 TEST_CASE("ledger: the power of a load is its force times the velocity and its moment times the spin") {
