@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "lubjoint/scene/nearest_name.hpp"
 #include "lubjoint/scene/printable.hpp"
@@ -13,15 +14,28 @@ namespace lubjoint {
 
 namespace {
 
-std::string shown(const toml::node& node) {
-  std::ostringstream text;
+/// As it would be written in a file. Arrays element by element: toml++ 3.3 measures a whole one for its line breaks,
+/// which is undefined for numbers below 0.1.
+void show(std::ostream& text, const toml::node& node) {
   node.visit([&](const auto& value) {
     if constexpr (toml::is_table<decltype(value)>) {
       text << "a table";
+    } else if constexpr (toml::is_array<decltype(value)>) {
+      const char* between = "[ ";
+      for (const toml::node& element : value) {
+        text << std::exchange(between, ", ");
+        show(text, element);
+      }
+      text << (value.empty() ? "[]" : " ]");
     } else {
       text << value;
     }
   });
+}
+
+std::string shown(const toml::node& node) {
+  std::ostringstream text;
+  show(text, node);
   return text.str();
 }
 
