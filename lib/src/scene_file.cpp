@@ -194,6 +194,11 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
+/// May a string open at this quote? Within a word it is part of a value that is none, up to whose end toml++ reads on.
+bool opens_string(std::string_view text, std::size_t quote) {
+  return quote == 0 || std::string_view(" \t\r\n=,[{.").find(text[quote - 1]) != std::string_view::npos;
+}
+
 /// Place of the first byte beyond ASCII outside of strings and comments, if there is one. TOML has none there, and
 /// toml++ 3.3 does not define what it makes of some.
 std::optional<std::size_t> bare_letter(std::string_view text) {
@@ -201,7 +206,7 @@ std::optional<std::size_t> bare_letter(std::string_view text) {
   while (i < text.size()) {
     if (text[i] == '#') {
       i = std::min(text.find('\n', i), text.size());
-    } else if (text[i] == '"' || text[i] == '\'') {
+    } else if ((text[i] == '"' || text[i] == '\'') && opens_string(text, i)) {
       i = end_of_string(text, i);
     } else if (static_cast<unsigned char>(text[i]) >= 0x80) {
       return i;
