@@ -293,22 +293,3 @@ TEST_CASE("a first step that is far too long is shortened, not taken for the end
     CHECK(run.outcome.rejected_steps > 0);
   }
 }
-
-TEST_CASE("a step that ends beyond the wall is halved until it does not, in a system of bodies, too") {
-  Scene scene = load_scene(scenes + "impact.toml");
-  scene.joints[0].contact.reset();
-  scene.joints[0].transition.reset();
-  scene.joints[0].viscosity = 0.05;
-  scene.bodies[0].velocity = {9, -3};
-  scene.energy_ledger = false;
-  set_tolerance(scene, 1e-2);
-  scene.run.max_steps = 20'000;
-  for (const char* integrator : {"fehlberg78", "dopri5", "bulirsch_stoer", "adams_bashforth_moulton", "radau_iia5"}) {
-    scene.integrator = integrator;
-    const MultibodyTrajectory run = simulate_multibody(scene);
-    INFO(integrator << ": " << run.outcome.message);
-    CHECK((run.outcome.status == RunStatus::finished || !run.outcome.message.empty()));
-    CHECK(run.joints[0].eccentricity.value < scene.joints[0].clearance);
-    CHECK(run.outcome.t_end > 1e-5);  // far beyond where it would have met the wall
-  }
-}

@@ -41,9 +41,7 @@ PlanarFrame<double> frame_at(const std::vector<double>& y, std::size_t body) {
 }
 
 JournalMotion<double> motion_at(const std::vector<double>& y, const JointElement<double>& joint) {
-  return joint_kinematics(frame_at(y, joint.bearing_at.body), joint.bearing_at.point,
-                          frame_at(y, joint.journal_at.body), joint.journal_at.point)
-      .motion;
+  return joint.kinematics(frame_at(y, joint.bearing_at.body), frame_at(y, joint.journal_at.body)).motion;
 }
 
 }  // namespace

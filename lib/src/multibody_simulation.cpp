@@ -33,12 +33,8 @@ class MemoryAlong {
   void go_to(double t) {
     for (; next_ < events_.size() && events_[next_].t <= t; ++next_) {
       const ContactEvent& event = events_[next_];
-      JointMemory<double>& memory = ode_.memory()[event.joint];
-      if (event.from == ContactPhase::film) {
-        const double least = ode_.system().joints()[event.joint].contact->min_impact_speed;
-        memory.impact_speed = std::max(event.normal_speed, least);
-      }
-      memory.phase = event.to;
+      detail::enter_phase(ode_.system().joints()[event.joint], ode_.memory()[event.joint], event.to,
+                          event.normal_speed);
     }
   }
 

@@ -30,8 +30,8 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<std::
 
 /// Where the film model itself is in doubt, or the tolerance too coarse for the film.
 void warn(const Scene& scene, const SceneJoint& joint, double thinnest_film, const reports::VisitedModelError& error) {
-  for (const std::string& warning : {reports::resolution_warning(joint, thinnest_film, scene.run.absolute_tolerance),
-                                     reports::model_warning(joint, error)}) {
+  for (const std::string& warning :
+       {reports::resolution_warning(scene, joint, thinnest_film), reports::model_warning(joint, error)}) {
     if (!warning.empty()) std::cerr << warning << '\n';
   }
 }

@@ -12,6 +12,12 @@ namespace {
 /// Below this, steps are bound by rounding and not by the tolerance.
 constexpr double tightest = 1e-13;
 
+/// In clearances. Next to its wall a free journal's state is 1 clearance: the relative tolerance is of its place, too.
+double tolerance_of_places(const Scene& scene) {
+  const RunSettings& run = scene.run;
+  return is_free_journal(scene) ? std::max(run.relative_tolerance, run.absolute_tolerance) : run.absolute_tolerance;
+}
+
 }  // namespace
 
 double thinnest_film(const Scene& scene, const JournalTrajectory& run) {
@@ -25,7 +31,8 @@ double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTraje
   return at.transition ? std::max(gap, 0.0) + at.transition->e1 / at.clearance : gap;
 }
 
-std::string resolution_warning(const SceneJoint& joint, double thinnest, double tolerance) {
+std::string resolution_warning(const Scene& scene, const SceneJoint& joint, double thinnest) {
+  const double tolerance = tolerance_of_places(scene);
   if (tolerance <= coarse_share * thinnest) return {};
   const double needed = std::pow(10, std::floor(std::log10(coarse_share * std::max(thinnest, 1e-300))));
   const std::string share = tolerance < thinnest ? fmt::format("{:.2} of", tolerance / thinnest) : "more than";

@@ -19,7 +19,6 @@ double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTraje
 
 /// Says that the tolerance is too coarse for the film, and which would do; empty if it is not.
 /// @param thinnest  as above
-/// @param tolerance  of places, in clearances
-std::string resolution_warning(const SceneJoint& joint, double thinnest, double tolerance);
+std::string resolution_warning(const Scene& scene, const SceneJoint& joint, double thinnest);
 
 }  // namespace lubjoint::reports

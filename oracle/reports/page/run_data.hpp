@@ -54,8 +54,8 @@ struct Stability {
   std::vector<StabilityRow> rows;
 };
 
-/// Columns case, law, integrator, status (finished, coarse, stopped, wrong), error (may be
-/// empty), seconds, steps, message.
+/// Columns case, law, integrator, status (finished, coarse, stopped, wrong), error (may be empty), seconds, steps,
+/// message.
 /// @throws CsvError
 Stability read_stability(std::string_view csv, const std::string& name);
 

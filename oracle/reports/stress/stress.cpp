@@ -167,27 +167,22 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
   StressCell cell{scenario.name,
                   law,
                   scene.integrator,
-                  finished ? StressStatus::finished : StressStatus::stopped,
+                  StressStatus::wrong,
                   std::nullopt,
                   run.seconds,
                   run.outcome.steps + run.outcome.rejected_steps,
                   run.outcome.message};
-  const std::string warning = resolution_warning(scene.joints.front(), run.thinnest_film, scene.run.relative_tolerance);
+  const std::string warning = resolution_warning(scene, scene.joints.front(), run.thinnest_film);
   if (finished) cell.message = warning;
   if (reference.run) cell.error = distance(run, *reference.run);
   const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement);
+  if (run.fault.empty()) cell.status = stress_status(finished, cell.error, limit, !warning.empty());
   if (!run.fault.empty()) {
-    cell.status = StressStatus::wrong;
     cell.message = run.fault;
-  } else if (cell.error && !(*cell.error <= limit)) {
-    if (!warning.empty()) {
-      if (finished) cell.status = StressStatus::coarse;
-    } else {
-      cell.status = StressStatus::wrong;
-      cell.message = fmt::format("error {:.1e} where the tolerance of {:.0e} lets one expect less than {:.0e}",
-                                 *cell.error, scene.run.relative_tolerance, limit);
-      if (!finished) cell.message += "; " + run.outcome.message;
-    }
+  } else if (cell.status == StressStatus::wrong) {
+    cell.message = fmt::format("error {:.1e} where the tolerance of {:.0e} lets one expect less than {:.0e}",
+                               *cell.error, scene.run.relative_tolerance, limit);
+    if (!finished) cell.message += "; " + run.outcome.message;
   } else if (!reference.run && finished) {
     cell.message += (cell.message.empty() ? "" : "; ") + reference.why_none;
   }
@@ -238,6 +233,13 @@ const char* stress_status_name(StressStatus status) {
 
 double stress_error_limit(double tolerance, double reference_agreement) {
   return std::max({std::min(1e3 * tolerance, 0.1), 1e-3, 10 * reference_agreement});
+}
+
+StressStatus stress_status(bool finished, std::optional<double> error, double limit, bool warned) {
+  const bool far_off = error && !(*error <= limit);
+  if (far_off && !warned) return StressStatus::wrong;
+  if (!finished) return StressStatus::stopped;
+  return far_off ? StressStatus::coarse : StressStatus::finished;
 }
 
 StressSettings stress_settings(bool quick) {

@@ -48,8 +48,14 @@ StressSettings stress_settings(bool quick);
 
 /// The error above which a run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times what two
 /// references differ by (a motion that amplifies every rounding has no better reference); of a loose tolerance no more
-/// than a tenth of a clearance. A run beyond it that has itself warned of its tolerance is coarse.
+/// than a tenth of a clearance.
 double stress_error_limit(double tolerance, double reference_agreement);
+
+/// Of a run whose numbers are all numbers. One that is further off than the limit is wrong, unless it has itself warned
+/// of its tolerance: then it is coarse.
+/// @param error  as far as it is known, up to where the run came
+/// @param warned  has it said that its tolerance is too coarse for its film?
+StressStatus stress_status(bool finished, std::optional<double> error, double limit, bool warned);
 
 /// What the cells of a resume file depend on: cases, scenes, laws, integrators and limits.
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);

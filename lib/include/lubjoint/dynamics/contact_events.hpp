@@ -1,6 +1,7 @@
 /// Where joints with contact change from one piece of their force to the next.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lubjoint/dynamics/multibody_ode.hpp"
@@ -59,6 +60,17 @@ JointMemory<R> starting_memory(const JointElement<R>& joint, const JournalMotion
     phase = ContactPhase::dry;
   }
   return {phase, joint.contact->min_impact_speed};
+}
+
+/// The joint's memory once it has crossed into another phase. A journal that leaves the film hits the wall: its speed
+/// there is the impact's until it is back in the film.
+/// @param normal_speed  v·r at the crossing [m/s]
+template <class R>
+void enter_phase(const JointElement<R>& joint, JointMemory<R>& memory, ContactPhase to, const R& normal_speed) {
+  if (memory.phase == ContactPhase::film) {
+    memory.impact_speed = std::max<R>(normal_speed, joint.contact->min_impact_speed);
+  }
+  memory.phase = to;
 }
 
 /// v·r [m/s].

@@ -20,18 +20,12 @@ inline std::string stop_message(ModeEnd end, const std::string& joint, double t,
   const std::string where = "stopped at t = " + number(t) + " s: joint \"" + joint + "\" is at eccentricity ratio " +
                             eccentricity_words({y[0], y[1]});
   if (end == ModeEnd::step_limit) {
-    constexpr double thin = 1e-6;  // a film no bearing has: the steps go into following it
-    const bool wants_film = film_gap({y[0], y[1]}) < thin;
-    return where + "; the limit of " + std::to_string(settings.max_steps) + " steps is reached: " +
-           (!is_stiff_integrator(method) ? "radau_iia5 needs far fewer where the film is stiff"
-            : wants_film ? "a film as thin as this takes them; raise the viscosity or lower the load or the clearance"
-                         : "a looser relative_tolerance needs fewer");
+    return where + "; " + step_limit_words(settings.max_steps, is_stiff_integrator(method), film_gap({y[0], y[1]}));
   }
   const std::string remedy =
       "the film can't carry this load in double precision; raise the viscosity or lower the load or the clearance";
   if (end == ModeEnd::stalled) {
-    return where + "; " + std::to_string(stall_limit) + " trial steps have brought less than " + number(stall_share) +
-           " of the duration: " +
+    return where + "; " + stall_words() +
            (is_stiff_integrator(method) ? remedy : "radau_iia5 needs far fewer where the film is stiff");
   }
   return where + "; no step, however short, gives a finite state with eccentricity ratio below 1: " + remedy;

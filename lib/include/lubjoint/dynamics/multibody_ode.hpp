@@ -114,8 +114,8 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   std::size_t evaluations_ = 0;
 };
 
-// Out of the class, where no function is inline: a declaration of an instance (multibody_scene.hpp) then spares those who
-// include it the compilation of every law, constraint and solver on numbers with derivatives.
+// Out of the class, where no function is inline: a declaration of an instance (multibody_scene.hpp) then spares those
+// who include it the compilation of every law, constraint and solver on numbers with derivatives.
 
 template <class R>
 MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
@@ -140,8 +140,7 @@ void MultibodyOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
 
 template <class R>
 void MultibodyOde<R>::time_slope(const State& y, State& slope, const R& t) {
-  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t,
-                               slope);
+  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t, slope);
 }
 
 template <class R>

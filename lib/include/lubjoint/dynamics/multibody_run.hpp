@@ -10,7 +10,7 @@
 #include "lubjoint/dynamics/contact_events.hpp"
 #include "lubjoint/dynamics/integrator.hpp"
 #include "lubjoint/dynamics/multibody_recorder.hpp"
-#include "lubjoint/dynamics/stop_words.hpp"
+#include "lubjoint/dynamics/multibody_stops.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 
 namespace lubjoint {
@@ -65,14 +65,9 @@ class MultibodyRun {
   void start_memory() {
     if (!ode_.has_contact()) return;
     // The motion decides the phase; with no phase known yet the forces are not asked for.
-    SystemWorkspace<R>& w = ode_.workspace();
+    ode_.system().evaluate_kinematics(t_, y_.data(), ode_.workspace());
     for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
-      const JointElement<R>& joint = ode_.system().joints()[j];
-      ode_.system().evaluate_kinematics(t_, y_.data(), w);
-      const auto frame = [&](std::size_t body) { return body == ground_body ? w.ground : w.frames[body]; };
-      const JointKinematics<R> kinematics = joint_kinematics(frame(joint.bearing_at.body), joint.bearing_at.point,
-                                                             frame(joint.journal_at.body), joint.journal_at.point);
-      ode_.memory()[j] = detail::starting_memory(joint, kinematics.motion);
+      ode_.memory()[j] = detail::starting_memory(ode_.system().joints()[j], motion_of(j));
     }
   }
 
@@ -83,13 +78,11 @@ class MultibodyRun {
     std::size_t stall_steps = 0;
     while (t_end - t_ > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) {
-        return stop(step_limit_reason());
+        return stop(detail::step_limit_reason(ode_, t_, y_, settings_.max_steps, is_implicit()));
       }
       if (++stall_steps >= stall_limit) {
         if (t_ - stall_mark < R(stall_share) * t_end) {
-          return stop(std::to_string(stall_limit) + " trial steps have brought less than 2e-6 of the duration: " +
-                      (has_half_film() ? "a half film that slides on its jump needs a law without one"
-                                       : "use radau_iia5, or a looser tolerance"));
+          return stop(detail::stall_reason(ode_.system()));
         }
         stall_mark = t_;
         stall_steps = 0;
@@ -114,7 +107,7 @@ class MultibodyRun {
         rate_ = step->rate_old;
         ++outcome_.rejected_steps;
         const R floor = shortest * std::max<R>(t_, R(1e-3) * t_end);
-        if (!(dt_ > floor)) return stop(no_step_reason());
+        if (!(dt_ > floor)) return stop(detail::no_step_reason(ode_, t_, y_));
         continue;
       }
       ++outcome_.steps;
@@ -185,13 +178,7 @@ class MultibodyRun {
   }
 
   /// From the frames of the workspace.
-  JournalMotion<R> motion_of(std::size_t j) {
-    const JointElement<R>& joint = ode_.system().joints()[j];
-    const SystemWorkspace<R>& w = ode_.workspace();
-    const auto& bearing = joint.bearing_at.body == ground_body ? w.ground : w.frames[joint.bearing_at.body];
-    const auto& journal = joint.journal_at.body == ground_body ? w.ground : w.frames[joint.journal_at.body];
-    return joint_kinematics(bearing, joint.bearing_at.point, journal, joint.journal_at.point).motion;
-  }
+  JournalMotion<R> motion_of(std::size_t joint) { return ode_.system().journal_motion(joint, ode_.workspace()); }
 
   detail::SeamMargins<R> margins(const R& t, const State& y, std::size_t joint) {
     return detail::seam_margins(ode_.system().joints()[joint], ode_.memory()[joint].phase, eccentricity(t, y, joint));
@@ -323,8 +310,7 @@ class MultibodyRun {
                        static_cast<double>(speed),
                        0,
                        0};
-    if (memory.phase == ContactPhase::film) memory.impact_speed = std::max<R>(speed, joint.contact->min_impact_speed);
-    memory.phase = event.to;
+    detail::enter_phase(joint, memory, event.to, speed);
     ode_.rate(y_, rate_, t_);
     const Vector2<R> after = ode_.at(t_, y_).joints[j].total();
     event.force_before = static_cast<double>(before.norm());
@@ -337,59 +323,7 @@ class MultibodyRun {
 
   // Stops.
 
-  bool has_half_film() const {
-    for (const JointElement<R>& joint : ode_.system().joints()) {
-      if (joint.film &&
-          std::visit([]<class Law>(const LubricatedJoint<Law, R>&) { return PolarLaw<Law>; }, *joint.film))
-        return true;
-    }
-    return false;
-  }
-
-  std::string step_limit_reason() {
-    const std::string reason =
-        nearest_joint().words + "the limit of " + std::to_string(settings_.max_steps) + " steps is reached: ";
-    if (has_half_film()) return reason + "a half film that slides on its jump needs a law without one";
-    const bool implicit = method_->counts().jacobians > 0;
-    return reason + (implicit ? "a looser relative_tolerance needs fewer"
-                              : "radau_iia5 needs far fewer where the film is stiff");
-  }
-
-  std::string no_step_reason() {
-    const NearestJoint nearest = nearest_joint();
-    const std::string reason = nearest.words + "no step, however short, gives a finite state; ";
-    if (!nearest.found) return reason + "use a looser relative_tolerance, or lower the loads and speeds";
-    return reason + "raise the viscosity, lower the load or the clearance, or give the joint a transition to contact";
-  }
-
-  /// The joint nearest to its wall, and how near.
-  struct NearestJoint {
-    bool found = false;
-    std::string words;
-  };
-
-  NearestJoint nearest_joint() {
-    const std::vector<JointElement<R>>& joints = ode_.system().joints();
-    double largest = -1;
-    std::size_t nearest = 0;
-    ode_.system().evaluate_kinematics(t_, y_.data(), ode_.workspace());
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const double ratio = ratio_of(j).norm();
-      if (ratio > largest) {
-        largest = ratio;
-        nearest = j;
-      }
-    }
-    if (largest < 0) return {};
-    return {true, "joint \"" + joints[nearest].name + "\" is at eccentricity ratio " +
-                      detail::eccentricity_words(ratio_of(nearest)) + "; "};
-  }
-
-  /// ê, from the frames of the workspace.
-  Vector2<double> ratio_of(std::size_t joint) {
-    const Vector2<R> ratio = motion_of(joint).eccentricity / ode_.system().joints()[joint].bearing.clearance();
-    return {static_cast<double>(ratio.x()), static_cast<double>(ratio.y())};
-  }
+  bool is_implicit() const { return method_->counts().jacobians > 0; }
 
   void stop(const std::string& reason) {
     outcome_.status = RunStatus::stopped;

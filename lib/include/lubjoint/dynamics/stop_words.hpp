@@ -1,10 +1,12 @@
-/// Numbers in the messages of runs that stopped.
+/// Words of the messages of runs that stopped, which every kind of run shares.
 #pragma once
 
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <string>
 
+#include "lubjoint/dynamics/outcome.hpp"
 #include "lubjoint/film/vector.hpp"
 
 namespace lubjoint::detail {
@@ -33,6 +35,29 @@ inline std::string eccentricity_words(const Vector2<double>& e_hat) {
   text.precision(4);
   text << "1 - " << gap;
   return text.str();
+}
+
+inline std::string step_limit_reached(std::size_t limit) {
+  return "the limit of " + std::to_string(limit) + " steps is reached: ";
+}
+
+/// The limit, and what would need fewer steps.
+/// @param implicit  was it an implicit integrator?
+/// @param gap  1 − |ê| where the run stopped; 0 or less, or 1: no film that its steps could have gone into
+inline std::string step_limit_words(std::size_t limit, bool implicit, double gap) {
+  constexpr double thin = 1e-6;  // a film no bearing has: the steps go into following it
+  const std::string reached = step_limit_reached(limit);
+  if (!implicit) return reached + "radau_iia5 needs far fewer where the film is stiff";
+  if (gap > 0 && gap < thin) {
+    return reached + "a film as thin as this takes them; raise the viscosity or lower the load or the clearance";
+  }
+  return reached + "a looser relative_tolerance needs fewer";
+}
+
+/// Of a run that gets nowhere.
+inline std::string stall_words() {
+  return std::to_string(stall_limit) + " trial steps have brought less than " + number(stall_share) +
+         " of the duration: ";
 }
 
 }  // namespace lubjoint::detail

@@ -85,14 +85,19 @@ struct JointElement {
 
   bool has_contact() const { return contact.has_value(); }  ///< does it need events?
 
+  /// Where the journal is, seen from the bearing.
+  template <class T>
+  JointKinematics<T> kinematics(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body) const {
+    return joint_kinematics(bearing_body, bearing_at.point, journal_body, journal_at.point);
+  }
+
   /// Force on the journal, of the piece that the memory names.
   /// @throws FilmDomainError where there is no film, and the phase asks for one
   template <class T>
   JointForce<T> force(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body,
                       const JointMemory<R>& memory) const {
-    JointForce<T> result{joint_kinematics(bearing_body, bearing_at.point, journal_body, journal_at.point),
-                         Vector2<T>(T(0), T(0)),
-                         {Vector2<T>(T(0), T(0)), T(0)}};
+    JointForce<T> result{
+        kinematics(bearing_body, journal_body), Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
     const JournalMotion<T>& motion = result.kinematics.motion;
     if (!contact) {
       result.film = film_force(motion);

@@ -129,6 +129,13 @@ class PlanarSystem {
     evaluate_constraints(t, w);
   }
 
+  /// Of a joint's journal in its bearing, from the frames of an evaluated workspace.
+  template <class T>
+  JournalMotion<T> journal_motion(std::size_t joint, const SystemWorkspace<T>& w) const {
+    const JointElement<R>& at = joints_[joint];
+    return at.kinematics(frame(at.bearing_at.body, w), frame(at.journal_at.body, w)).motion;
+  }
+
   // The parts of evaluate, in its order. Each reads what those before it have left in the workspace.
 
   /// Frames of the bodies.
