@@ -21,8 +21,36 @@ PolarFilmState<double> steady_state(double logit, double spin_sum) {
   return PolarFilmState<double>(epsilon, epsilon * spin_sum, 0.0, gap * (1 + epsilon));
 }
 
+/// Extended precision: the eigenvalues span 1e-4 to 1e5 1/s.
+using Long = long double;
+
+/// Force on the journal at a state, and its exact derivatives.
+struct Linearisation {
+  Vector2<double> force;
+  Eigen::Matrix<Long, 4, 4> jacobian;
+};
+
 template <FilmLaw Law>
-JournalEquilibrium find(const Scene& scene) {
+Linearisation linearise(const JournalScene& parts, const JournalState<double>& y) {
+  const auto& bearing = parts.bearing;
+  const FreeJournal<Law, Long> journal(
+      LubricatedJoint<Law, Long>(Bearing<Long>(bearing.length(), bearing.radius(), bearing.clearance()),
+                                 Lubricant<Long>(parts.oil.viscosity())),
+      {parts.drive.mass, parts.drive.load.template cast<Long>(), parts.drive.bearing_spin, parts.drive.journal_spin});
+  const JournalState<Long> at{y[0], y[1], y[2], y[3]};
+  Linearisation result;
+  exact_jacobian([&](const auto& x, auto& dxdt) { journal.rate(x, dxdt); }, at, result.jacobian);
+  result.force = journal.force(at).template cast<double>();
+  return result;
+}
+
+/// What a law has to say to an equilibrium; the rest is compiled once for all of them.
+struct LawAtRest {
+  PolarForce<double> (*force)(const JournalScene&, const PolarFilmState<double>&);
+  Linearisation (*linearise)(const JournalScene&, const JournalState<double>&);
+};
+
+JournalEquilibrium find(const Scene& scene, const LawAtRest& law) {
   const JournalScene parts = journal_scene(scene);
   const double spin_sum = 2 * parts.drive.mean_spin();
   const double load = std::hypot(parts.drive.load.x(), parts.drive.load.y());  // a square would underflow
@@ -30,10 +58,7 @@ JournalEquilibrium find(const Scene& scene) {
     throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
                      ": bodies[0].spin is 0; allowed is a spin other than 0, or nothing carries the load");
   }
-  const auto& bearing = parts.bearing;
-  const auto force_at = [&](double logit) {
-    return film_force<Law>(bearing, parts.oil, steady_state(logit, spin_sum));
-  };
+  const auto force_at = [&](double logit) { return law.force(parts, steady_state(logit, spin_sum)); };
   // |F| grows from 0 to infinity with ε for every law: one root. ε = 1e-300 … 1 − 1e-15.
   const auto excess = [&](double logit) {
     const PolarForce<double> f = force_at(logit);
@@ -71,16 +96,9 @@ JournalEquilibrium find(const Scene& scene) {
   }
   result.eccentricity = Vector2<double>(y[0], y[1]);
 
-  // Exact derivatives in extended precision: the eigenvalues span 1e-4 to 1e5 1/s.
-  using Long = long double;
-  const FreeJournal<Law, Long> journal(
-      LubricatedJoint<Law, Long>(Bearing<Long>(bearing.length(), bearing.radius(), bearing.clearance()),
-                                 Lubricant<Long>(parts.oil.viscosity())),
-      {parts.drive.mass, parts.drive.load.template cast<Long>(), parts.drive.bearing_spin, parts.drive.journal_spin});
-  const JournalState<Long> at{y[0], y[1], y[2], y[3]};
-  Eigen::Matrix<Long, 4, 4> jacobian;
-  exact_jacobian([&](const auto& x, auto& dxdt) { journal.rate(x, dxdt); }, at, jacobian);
-  result.force = journal.force(at).template cast<double>();
+  const Linearisation linear = law.linearise(parts, y);
+  const Eigen::Matrix<Long, 4, 4>& jacobian = linear.jacobian;
+  result.force = linear.force;
   const Long mass = parts.drive.mass;
   result.stiffness = (-mass * jacobian.bottomLeftCorner(2, 2)).template cast<double>();
   result.damping = (-mass * jacobian.bottomRightCorner(2, 2)).template cast<double>();
@@ -112,7 +130,13 @@ Stability JournalEquilibrium::stability() const {
 
 JournalEquilibrium journal_equilibrium(const Scene& scene) {
   if (scene.joints.empty()) journal_scene(scene);  // says what is missing
-  return with_film_law(scene.joints.front().film, [&]<class Law>() { return find<Law>(scene); });
+  const LawAtRest law = with_film_law(scene.joints.front().film, []<class Law>() {
+    return LawAtRest{[](const JournalScene& parts, const PolarFilmState<double>& state) {
+                       return film_force<Law>(parts.bearing, parts.oil, state);
+                     },
+                     &linearise<Law>};
+  });
+  return find(scene, law);
 }
 
 }  // namespace lubjoint

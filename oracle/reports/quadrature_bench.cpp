@@ -7,9 +7,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "oracle/reports/bench/timing.hpp"
 #include "oracle/reports/progress.hpp"
 #include "oracle/reports/published_forms.hpp"
+#include "oracle/reports/timing.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 

@@ -1,14 +1,18 @@
 /// Times of short pieces of code on a machine that does other things as well.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
-#include "oracle/reports/bench/timing.hpp"
-
 namespace lubjoint::reports {
+
+/// The middle value; of an even number of them, the upper of the two.
+double median_of(std::vector<double> values);
+
+/// Median time of each long piece of work [ns]. A repeat runs all of them once, one after the other, so that what slows
+/// the machine down for a while slows all of them, and ratios stay.
+std::vector<double> interleaved_medians(int repeats, const std::vector<std::function<void()>>& work);
 
 /// A piece of code, so many times in a row.
 using TimedPiece = std::function<void(std::size_t)>;
@@ -38,27 +42,6 @@ struct Timing {
 };
 
 /// Times pieces in turn, round after round; in each a piece runs for about so long [s], and at least once.
-inline std::vector<Timing> time_in_turn(std::vector<TimedPiece>& pieces, std::size_t rounds, double batch_seconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](TimedPiece& piece, std::size_t count) {
-    const auto begin = Clock::now();
-    piece(count);
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-  };
-  std::vector<std::size_t> counts;
-  for (TimedPiece& piece : pieces) {  // the first call warms caches, the rest find the length of a batch
-    seconds(piece, 1);
-    std::size_t count = 1;
-    while (count < (std::size_t{1} << 24) && seconds(piece, count) < batch_seconds / 2) count *= 2;
-    counts.push_back(count);
-  }
-  std::vector<Timing> timings(pieces.size());
-  for (std::size_t round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      timings[i].rounds.push_back(1e9 * seconds(pieces[i], counts[i]) / static_cast<double>(counts[i]));
-    }
-  }
-  return timings;
-}
+std::vector<Timing> time_in_turn(std::vector<TimedPiece>& pieces, std::size_t rounds, double batch_seconds);
 
 }  // namespace lubjoint::reports

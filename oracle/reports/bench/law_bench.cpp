@@ -9,10 +9,10 @@
 #include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/reports/bench/divide_bound.hpp"
-#include "oracle/reports/bench/timing.hpp"
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/progress.hpp"
+#include "oracle/reports/timing.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 
