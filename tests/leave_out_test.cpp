@@ -55,8 +55,8 @@ std::string changed(const std::string& text, const std::string& from, const std:
   return result.replace(at, from.size(), to);
 }
 
-const Words contact_functions{"dry_contact_force", "transition_force", "seam_margins",
-                              "next_phase",        "starting_memory",  "normal_speed"};
+const Words contact_functions{"dry_contact_force", "transition_force", "seam_margins", "next_phase",
+                              "enter_phase",       "starting_memory",  "normal_speed"};
 
 }  // namespace
 

@@ -131,12 +131,16 @@ std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, con
     const char* side = *most > 0 ? "late" : "early";
     return CommonSuspect{{fmt::format("the whole trajectory is {:.4g} s {}", std::abs(*most), side), share}, true};
   }
-  for (const auto& [owner, kinds] : opposite) {
+  for (const auto& each : opposite) {
+    const std::string& owner = each.first;  // a structured binding is nothing that Clang 14 lets a lambda have
+    const std::set<SignalKind>& kinds = each.second;
     if (!kinds.contains(SignalKind::eccentricity) || !kinds.contains(SignalKind::force)) continue;
     std::erase_if(words, [&](const std::string& line) { return line.starts_with(owner + ": "); });
     words.insert(words.begin(), "bearing and journal of " + owner + " are exchanged");
   }
-  for (const auto& [owner, other] : whose) {
+  for (const auto& each : whose) {
+    const std::string& owner = each.first;
+    const std::string& other = each.second;
     if (!whose.contains(other) || whose.at(other) != owner || owner > other) continue;
     std::erase_if(words, [&](const std::string& line) {
       return line.starts_with(owner + ": ") || line.starts_with(other + ": ");
