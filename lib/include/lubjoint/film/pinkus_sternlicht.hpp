@@ -30,8 +30,9 @@ struct PinkusSternlicht {
     const T root = sqrt(film.q);
     const T k = root * detail::norm_in_range(u);
     const T size = abs(s);
-    const T t = k + 1.5 * size;
-    const T n = k + 1.5 * (size + s);               // the sum is exact: 2s or 0
+    const RealOf<T> three_halves(1.5);  // of T's own precision: a float stays one
+    const T t = k + three_halves * size;
+    const T n = k + three_halves * (size + s);      // the sum is exact: 2s or 0
     const T over_t = -6 / (d * film.q * root * t);  // the one division; products of two rates would leave the range
     const T factor = over_t * t;
     const T factor_phi = over_t * n;
