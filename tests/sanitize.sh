@@ -17,4 +17,5 @@ cmake --preset asan -B $build -DLUBJOINT_TEST_FILES="${LUBJOINT_TEST_FILES-}" >/
 # shellcheck disable=SC2086  # a list
 cmake --build $build -j "${LUBJOINT_JOBS:-1}" --target ${LUBJOINT_TARGETS:-all} >&2
 export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=print_suppressions=0 # to the standard error of programs of which nothing else is expected there
 ctest --test-dir $build --output-on-failure "$@"

@@ -47,8 +47,13 @@ std::vector<PolarState> polar_states() {
   Draw draw(20090501);
   for (int i = 0; i < 100; ++i) {
     double epsilon = draw.part();
-    if (i % 4 == 1) epsilon = 1 - std::ldexp(1 + draw.part(), -3 - static_cast<int>(30 * draw.part()));
-    if (i % 4 == 2) epsilon = std::ldexp(1 + draw.part(), -3 - static_cast<int>(60 * draw.part()));
+    // One draw a statement: in what order a compiler evaluates the arguments of a call is its own affair.
+    const auto small = [&](int binary_decades) {
+      const int exponent = -3 - static_cast<int>(binary_decades * draw.part());
+      return std::ldexp(1 + draw.part(), exponent);
+    };
+    if (i % 4 == 1) epsilon = 1 - small(30);
+    if (i % 4 == 2) epsilon = small(60);
     states.push_back({epsilon, draw.size(24), draw.size(24)});
   }
   return states;

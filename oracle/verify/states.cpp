@@ -20,6 +20,10 @@ class Draw {
   double between(double low, double high) { return low + (high - low) * unit(); }
   double decades(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
   double sign() { return unit() < 0.5 ? -1 : 1; }
+  double between_of_any_sign(double low, double high) {
+    const double side = sign();  // drawn first: the order of a product's factors is the compiler's affair
+    return side * between(low, high);
+  }
 
  private:
   std::mt19937_64 generator_;
@@ -50,11 +54,11 @@ State bearing_of(Draw& draw) {
 /// The motion with these polar numbers. Spins differ in size and sign, so that no mistake about them hides.
 void set_motion(State& s, double ratio, double a, double b, Draw& draw) {
   const double size = std::abs(a) + std::abs(b) + 1;
-  s.omega_bearing = in_single(size * draw.sign() * draw.between(0.2, 1));
-  s.omega_journal = in_single(size * draw.sign() * draw.between(1.2, 3));
+  s.omega_bearing = in_single(size * draw.between_of_any_sign(0.2, 1));
+  s.omega_journal = in_single(size * draw.between_of_any_sign(1.2, 3));
   s.eccentricity_ratio = in_single(ratio);
   s.squeeze_rate = in_single(b);
-  s.omega = in_single(size * draw.sign() * draw.between(0.5, 3));
+  s.omega = in_single(size * draw.between_of_any_sign(0.5, 3));
   if (ratio > 0) s.attitude_rate = in_single((s.omega - a / s.eccentricity_ratio) / 2);
   const double angle = draw.between(0, 2 * std::numbers::pi);
   const double r[2] = {std::cos(angle), std::sin(angle)};

@@ -78,12 +78,12 @@ inline verify::Answers mistaken_answers(verify::Quantities quantities, verify::L
 inline verify::Answers through_text(verify::Quantities quantities, const verify::Answers& answers,
                                     const std::string& format) {
   std::string csv = "id";
-  for (const auto name : verify::answer_columns(quantities)) csv += "," + std::string(name);
+  for (const auto name : verify::answer_columns(quantities)) csv.append(1, ',').append(name);
   csv += '\n';
   for (std::size_t i = 0; i < answers.values.size(); ++i) {
     csv += std::to_string(i + 1);
     for (std::size_t k = 0; k < verify::answer_columns(quantities).size(); ++k) {
-      csv += "," + fmt::format(fmt::runtime(format), answers.values[i][k]);
+      csv.append(1, ',').append(fmt::format(fmt::runtime(format), answers.values[i][k]));
     }
     csv += '\n';
   }
