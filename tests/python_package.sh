@@ -5,8 +5,8 @@ set -eu
 source=$1
 export LUBJOINT_BUILT=$2
 python=/usr/bin/python3 # Debian's, for which its python3-numpy is
-if ! "$python" -c 'import numpy, setuptools, venv, ensurepip' 2>/dev/null; then
-  echo 'skipped: python3-numpy, python3-setuptools and python3-venv are not installed'
+if ! "$python" -c 'import numpy, setuptools, venv, ensurepip, wheel' 2>/dev/null; then
+  echo 'skipped: python3-numpy, python3-setuptools, python3-venv and python3-wheel are not all installed'
   exit 77
 fi
 place=$(mktemp -d)
