@@ -124,7 +124,7 @@ std::string TableReader::text(std::string_view key) {
 }
 
 std::string TableReader::name(std::string_view key) {
-  const std::string given = text(key);
+  std::string given = text(key);
   const bool fits = given.front() != '.' && std::none_of(given.begin(), given.end(), [](char c) {
                       return static_cast<unsigned char>(c) < 0x20 ||
                              std::string_view(",\"'/\\\x7f").find(c) != std::string_view::npos;

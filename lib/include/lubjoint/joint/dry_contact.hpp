@@ -53,7 +53,7 @@ ContactForce<T> dry_contact_force(const JournalMotion<T>& motion, const Bearing<
                                   const ContactSurface<RealOf<T>>& surface, const RealOf<T>& impact_speed) {
   using std::sqrt;
   using R = RealOf<T>;
-  const ContactForce<T> none{Vector2<T>(T(0), T(0)), T(0)};
+  ContactForce<T> none{Vector2<T>(T(0), T(0)), T(0)};
   if (is_zero(motion.eccentricity)) return none;
   const T distance = norm(motion.eccentricity);
   const T depth = distance - bearing.clearance();
