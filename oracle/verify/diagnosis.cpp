@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace lubjoint::verify {
@@ -204,7 +205,8 @@ Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states,
   }
   // One factor for all failing states?
   for (std::size_t k = 0; k < columns; ++k) {
-    double low = INFINITY, high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
     bool wrong = false;
     for (const std::size_t i : judgement.failing) {
       const auto expected = static_cast<double>(judgement.references[i].expected[k]);

@@ -8,7 +8,7 @@ namespace lubjoint::verify {
 
 namespace {
 
-const Real pi_ = pi<Real>();
+const Real half_turn = pi<Real>();
 
 /// 1 + ε cosθ without cancellation at the thinnest film.
 Real thickness(const Solution& s, Real theta) {
@@ -52,9 +52,9 @@ CosineGaps cosine_gaps(Real psi) {
 
 /// ∫ dθ/H³ from 0 by Sommerfeld's angle ψ, tan(ψ/2) = √((1−ε)/(1+ε)) tan(θ/2), continuous over all turns.
 Real flow_integral(const Solution& s, Real theta) {
-  const Real turns = std::round(theta / (2 * pi_));
-  const Real half = (theta - 2 * pi_ * turns) / 2;
-  const Real psi = 2 * pi_ * turns +
+  const Real turns = std::round(theta / (2 * half_turn));
+  const Real half = (theta - 2 * half_turn * turns) / 2;
+  const Real psi = 2 * half_turn * turns +
                    2 * std::atan2(std::sqrt(s.ratio_gap) * std::sin(half), std::sqrt(1 + s.ratio) * std::cos(half));
   // ∫(1 − ε cos u)² du = ∫((1 − ε) + ε(1 − cos u))² du: no term is negative.
   const Real e = s.ratio, gap = s.ratio_gap, q = s.q();
@@ -67,13 +67,13 @@ Real flow_integral(const Solution& s, Real theta) {
 void find_extent(Solution& s) {
   if (is_full(s.law)) {
     s.theta_s = 0;
-    s.theta_e = 2 * pi_;
+    s.theta_e = 2 * half_turn;
   } else if (is_half(s.law)) {
-    s.theta_s = s.mirrors_half && s.a < 0 ? pi_ : 0;
-    s.theta_e = s.theta_s + pi_;
+    s.theta_s = s.mirrors_half && s.a < 0 ? half_turn : 0;
+    s.theta_e = s.theta_s + half_turn;
   } else {
     s.theta_s = s.a == 0 && s.b == 0 ? 0 : std::atan2(2 * s.b, s.a);
-    s.theta_e = s.theta_s + pi_;
+    s.theta_e = s.theta_s + half_turn;
   }
 }
 
@@ -83,7 +83,7 @@ void find_pressure(Solution& s) {
     return;
   }
   const Real past_start = s.theta - s.theta_s;
-  const Real inside = past_start - 2 * pi_ * std::floor(past_start / (2 * pi_));  // in [0, 2π)
+  const Real inside = past_start - 2 * half_turn * std::floor(past_start / (2 * half_turn));  // in [0, 2π)
   const bool in_film = is_full(s.law) || inside <= s.theta_e - s.theta_s;
   const Real theta = s.theta_s + inside;
   if (is_short(s.law)) {

@@ -23,7 +23,8 @@ class SignalList {
            const std::vector<std::string>& columns, double scale, double least, double unit,
            const std::string& unit_name) {
     Signal signal{kind, owner, quantity, {}, scale, unit, unit_name};
-    for (const std::string& column : columns) signal.columns.push_back(owner + "." + column);
+    const std::string prefix = owner + ".";
+    for (const std::string& column : columns) signal.columns.push_back(prefix + column);
     const bool known = std::ranges::all_of(signal.columns, [&](const auto& column) { return reference_.has(column); });
     if (!known) return;
     if (scale == 0) signal.scale = std::max(largest(signal), least);
