@@ -18,10 +18,8 @@ double size(const PolarForce<double>& f) { return std::hypot(f.radial, f.tangent
 /// ∂(F_r, F_t)/∂b.
 template <FilmLaw Law>
 Vec slope_in_squeeze(double epsilon, double a, double b) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
-  const Eigen::Matrix<double, 1, 1> none = Eigen::Matrix<double, 1, 1>::Zero();
-  const PolarForce<Dual> ratio =
-      polar_force_ratio<Law>(PolarFilmState<Dual>(Dual(epsilon, none), Dual(a, none), Dual(b, 1, 0)));
+  using T = Dual<double, 1>;
+  const PolarForce<T> ratio = polar_force_ratio<Law>(PolarFilmState<T>(T(epsilon), T(a), T::variable(b, 0)));
   return Vec(ratio.radial.derivatives()(0), ratio.tangential.derivatives()(0));
 }
 

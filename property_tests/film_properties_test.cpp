@@ -65,11 +65,11 @@ TEST_CASE("the derivative of every law in u, applied to u, is its force: homogen
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
     rc::prop(of_law<Law>("(∂F/∂u) u = F"), [] {
-      using Dual = Eigen::AutoDiffScalar<Eigen::Vector2d>;
+      using T = Dual<double, 2>;
       const FilmState<double> film = (*generate::moderate_film()).in_own_frame();
-      const Vector2<Dual> e(Dual(film.eccentricity.x(), Vec::Zero()), Dual(film.eccentricity.y(), Vec::Zero()));
-      const Vector2<Dual> u(Dual(film.velocity.x(), 2, 0), Dual(film.velocity.y(), 2, 1));
-      const Vector2<Dual> ratio = force_ratio<Law>(FilmState<Dual>(e, u));
+      const Vector2<T> e(T(film.eccentricity.x()), T(film.eccentricity.y()));
+      const Vector2<T> u(T::variable(film.velocity.x(), 0), T::variable(film.velocity.y(), 1));
+      const Vector2<T> ratio = force_ratio<Law>(FilmState<T>(e, u));
       const Vec slope(ratio.x().derivatives().dot(film.velocity), ratio.y().derivatives().dot(film.velocity));
       const Vec force(ratio.x().value(), ratio.y().value());
       const double terms = ratio.x().derivatives().norm() + ratio.y().derivatives().norm();  // |u| is 1

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "lubjoint/film/dual.hpp"
 #include "lubjoint/film/extent.hpp"
 
 using namespace lubjoint;
@@ -41,9 +42,9 @@ TEST_CASE("at rest the dynamic film is 0 to π, in double and with derivatives t
   const FilmBounds<double> film = film_bounds(FilmExtent::dynamic, PolarFilmState<double>(0.5, 0, 0));
   CHECK(film.start == 0);
   CHECK(film.end == half_turn);
-  using Dual = Eigen::AutoDiffScalar<Eigen::Vector2d>;
-  const PolarFilmState<Dual> rest(Dual(0.5, Eigen::Vector2d::Zero()), Dual(0.0, 2, 0), Dual(0.0, 2, 1));
-  const FilmBounds<Dual> dual = film_bounds(FilmExtent::dynamic, rest);
+  using T = Dual<double, 2>;
+  const PolarFilmState<T> rest(T(0.5), T::variable(0, 0), T::variable(0, 1));
+  const FilmBounds<T> dual = film_bounds(FilmExtent::dynamic, rest);
   CHECK(dual.start.value() == 0);
   CHECK(dual.end.value() == half_turn);
 }

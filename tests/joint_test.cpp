@@ -58,18 +58,18 @@ TEST_CASE("joint: centres, e and v of a crank and a rod in a hand-drawn position
 }
 
 TEST_CASE("joint: v is the time derivative of e, by automatic differentiation of the position") {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
-  const auto moving = [](double value, double rate) { return Dual(value, Eigen::Matrix<double, 1, 1>(rate)); };
+  using InTime = Dual<double, 1>;
+  const auto moving = [](double value, double rate) { return InTime(value, Eigen::Matrix<double, 1, 1>(rate)); };
   const auto in_time = [&](const PlanarMotion<double>& b) {
-    return PlanarMotion<Dual>{
-        Vector2<Dual>(moving(b.position.x(), b.velocity.x()), moving(b.position.y(), b.velocity.y())),
-        moving(b.angle, b.spin), Vector2<Dual>(moving(b.velocity.x(), 0), moving(b.velocity.y(), 0)),
+    return PlanarMotion<InTime>{
+        Vector2<InTime>(moving(b.position.x(), b.velocity.x()), moving(b.position.y(), b.velocity.y())),
+        moving(b.angle, b.spin), Vector2<InTime>(moving(b.velocity.x(), 0), moving(b.velocity.y(), 0)),
         moving(b.spin, 0)};
   };
   for (const Pair& p : pairs()) {
     const auto joint =
         joint_kinematics(in_time(p.bearing_body), p.bearing_centre, in_time(p.journal_body), p.journal_centre);
-    const Vector2<Dual>& e = joint.motion.eccentricity;
+    const Vector2<InTime>& e = joint.motion.eccentricity;
     const Vec rate(e.x().derivatives()(0), e.y().derivatives()(0));
     const Vec v(joint.motion.velocity.x().value(), joint.motion.velocity.y().value());
     CHECK((rate - v).norm() <= 1e-13);  // rounding of speeds up to 150 m/s

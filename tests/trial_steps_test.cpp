@@ -134,6 +134,22 @@ TEST_CASE("samples inside a step are of the rates at both of its ends, the run's
   }
 }
 
+TEST_CASE("a projected state's rate is the method's own, too") {
+  const Scene scene = stone();
+  const detail::PreparedScene prepared = detail::prepare(scene);
+  MultibodyOde<double> ode(prepared.system, false);
+  Requests requests;
+  const auto to_the_end = [&](auto&, State& y, double& t, double&) {
+    t = scene.run.duration;
+    y = thrown(t);
+    return true;
+  };
+  MultibodyRun<double> run(ode, scene.run, std::make_unique<ScriptedSteps>(to_the_end, requests),
+                           ConstraintUpkeep::by_projection);
+  CHECK(run.run(prepared.start).steps == 1);
+  CHECK(requests.end_rates == 2);  // at the step's end, and at the point that it is projected to
+}
+
 TEST_CASE("a run that gets on well and then no further is stopped within two windows of trial steps") {
   const Scene scene = stone();
   const detail::PreparedScene prepared = detail::prepare(scene);

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <sstream>
 
-#include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "multibody_simulation.hpp"
 
 namespace lubjoint {
 
 template class MultibodyOde<double>;
+template StartCorrection<double> assemble_start(const PlanarSystem<double>& system, const double& t,
+                                                const double& length, std::vector<double>& y);
 
 namespace {
 

@@ -28,7 +28,7 @@ std::size_t allocations_of(const F& f) {
   return allocations() - before;
 }
 
-using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+using T = Dual<double, 4>;
 
 /// The scenes' systems: with and without constraints, a film, a contact, the ledger.
 struct Case {
@@ -92,8 +92,8 @@ TEST_CASE("no film law allocates, on numbers or with derivatives") {
         for (const double speed : {0.0, 1e-300, -2.0, 5.0}) {
           const FilmState<double> film(Vector2<double>(epsilon, 0), Vector2<double>(speed, 0.5 * speed));
           sum += film_force<Law>(bearing, oil, film).x();
-          const FilmState<Dual> dual(Vector2<Dual>(Dual(epsilon, 4, 0), Dual(0.0, 4, 1)),
-                                     Vector2<Dual>(Dual(speed, 4, 2), Dual(0.5 * speed, 4, 3)));
+          const FilmState<T> dual(Vector2<T>(T::variable(epsilon, 0), T::variable(0, 1)),
+                                  Vector2<T>(T::variable(speed, 2), T::variable(0.5 * speed, 3)));
           sum += film_force<Law>(bearing, oil, dual).x().value();
         }
       }
@@ -141,13 +141,13 @@ TEST_CASE("a multibody right-hand side allocates nothing after the first") {
 }
 
 TEST_CASE("an evaluation with derivatives takes no memory beyond its workspace") {
-  using Group = MultibodyOde<double>::Dual;
+  using T = MultibodyOde<double>::Seeded;
   for (const Case& each : cases()) {
     INFO(each.file);
     const Equations e(each);
-    SystemWorkspace<Group> w = e.system.workspace<Group>();
-    std::vector<Group> y(e.y.begin(), e.y.end());
-    for (int j = 0; j < 6; ++j) y[static_cast<std::size_t>(j)] = Group(e.y[static_cast<std::size_t>(j)], 6, j);
+    SystemWorkspace<T> w = e.system.workspace<T>();
+    std::vector<T> y(e.y.begin(), e.y.end());
+    for (std::size_t j = 0; j < 6; ++j) y[j] = T::variable(e.y[j], static_cast<Eigen::Index>(j));
     CHECK(allocations_of([&] {
             for (int i = 0; i < 10; ++i) e.system.evaluate(1e-5 * i, y.data(), {}, w);
           }) == 0);

@@ -18,10 +18,10 @@ struct ForceAndJacobian {
 
 template <FilmLaw Law, class R>
 ForceAndJacobian<R> exact_force_jacobian(const Vector2<R>& e_hat, const Vector2<R>& u) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, 4, 1>>;
-  const Vector2<Dual> e_seeded(Dual(e_hat.x(), 4, 0), Dual(e_hat.y(), 4, 1));
-  const Vector2<Dual> u_seeded(Dual(u.x(), 4, 2), Dual(u.y(), 4, 3));
-  const Vector2<Dual> ratio = force_ratio<Law>(FilmState<Dual>(e_seeded, u_seeded));
+  using T = Dual<R, 4>;
+  const Vector2<T> e_seeded(T::variable(e_hat.x(), 0), T::variable(e_hat.y(), 1));
+  const Vector2<T> u_seeded(T::variable(u.x(), 2), T::variable(u.y(), 3));
+  const Vector2<T> ratio = force_ratio<Law>(FilmState<T>(e_seeded, u_seeded));
   ForceAndJacobian<R> result;
   result.force = Vector2<R>(ratio.x().value(), ratio.y().value());
   result.jacobian.row(0) = ratio.x().derivatives().transpose();

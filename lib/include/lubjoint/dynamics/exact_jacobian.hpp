@@ -6,19 +6,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "lubjoint/film/scalar.hpp"
+#include "lubjoint/film/dual.hpp"
 
 namespace lubjoint {
 
-/// J_ij = ∂f_i/∂x_j of f(x, dxdt), exact to rounding. f must accept arrays of AutoDiffScalar.
+/// J_ij = ∂f_i/∂x_j of f(x, dxdt), exact to rounding. f must accept arrays of Duals.
 template <class R, std::size_t N, class F>
 void exact_jacobian(const F& f, const std::array<R, N>& x,
                     Eigen::Matrix<R, static_cast<int>(N), static_cast<int>(N)>& jacobian) {
-  using Derivatives = Eigen::Matrix<R, static_cast<int>(N), 1>;
-  using Dual = Eigen::AutoDiffScalar<Derivatives>;
-  std::array<Dual, N> seeded;
-  for (std::size_t j = 0; j < N; ++j) seeded[j] = Dual(x[j], static_cast<int>(N), static_cast<int>(j));
-  std::array<Dual, N> rate;
+  using Seeded = Dual<R, static_cast<int>(N)>;
+  std::array<Seeded, N> seeded;
+  for (std::size_t j = 0; j < N; ++j) seeded[j] = Seeded::variable(x[j], static_cast<Eigen::Index>(j));
+  std::array<Seeded, N> rate;
   f(seeded, rate);
   for (std::size_t i = 0; i < N; ++i) jacobian.row(static_cast<Eigen::Index>(i)) = rate[i].derivatives().transpose();
 }
@@ -28,7 +27,7 @@ void exact_jacobian(const F& f, const std::array<R, N>& x,
 template <int Group, class R>
 class RunTimeJacobian {
  public:
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, Group, 1>>;   ///< a number with the derivatives of a group
+  using Seeded = Dual<R, Group>;                                    ///< a number with the derivatives of a group
   using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;  ///< the Jacobian
 
   /// ∂f_i/∂x_j of f(x, dxdt); columns from `columns` on are zero.
@@ -40,14 +39,15 @@ class RunTimeJacobian {
     rate_.resize(x.size());
     for (std::size_t start = 0; start < columns; start += Group) {
       const std::size_t end = std::min(columns, start + Group);
-      for (std::size_t j = start; j < end; ++j) seeded_[j] = Dual(x[j], Group, static_cast<int>(j - start));
+      for (std::size_t j = start; j < end; ++j)
+        seeded_[j] = Seeded::variable(x[j], static_cast<Eigen::Index>(j - start));
       f(seeded_, rate_);
       const auto first = static_cast<Eigen::Index>(start);
       const auto count = static_cast<Eigen::Index>(end - start);
       for (std::size_t i = 0; i < x.size(); ++i) {
         jacobian.block(static_cast<Eigen::Index>(i), first, 1, count) = rate_[i].derivatives().head(count).transpose();
       }
-      for (std::size_t j = start; j < end; ++j) seeded_[j] = Dual(x[j]);
+      for (std::size_t j = start; j < end; ++j) seeded_[j] = Seeded(x[j]);
     }
   }
 
@@ -56,13 +56,13 @@ class RunTimeJacobian {
   void fill_time_slope(const F& f, const std::vector<R>& x, const R& t, std::vector<R>& slope) {
     seeded_.assign(x.begin(), x.end());
     rate_.resize(x.size());
-    f(seeded_, rate_, Dual(t, Group, 0));
+    f(seeded_, rate_, Seeded::variable(t, 0));
     slope.resize(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) slope[i] = rate_[i].derivatives()(0);
   }
 
  private:
-  std::vector<Dual> seeded_, rate_;
+  std::vector<Seeded> seeded_, rate_;
 };
 
 }  // namespace lubjoint

@@ -25,7 +25,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   using Jacobian = JacobianOf<R, run_time_size>;  ///< ∂ẏ/∂y
   static constexpr int jacobian_group = 6;        ///< columns of the Jacobian a pass: those of a body
   /// A number with the derivatives of one pass.
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<R, jacobian_group, 1>>;
+  using Seeded = Dual<R, jacobian_group>;
 
   /// @param with_ledger  integrate the work of each term, too
   MultibodyOde(const PlanarSystem<R>& system, bool with_ledger);
@@ -108,7 +108,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   bool with_ledger_;
   bool has_contact_ = false;
   SystemWorkspace<R> real_;
-  SystemWorkspace<Dual> dual_;
+  SystemWorkspace<Seeded> dual_;
   RunTimeJacobian<jacobian_group, R> derivatives_;
   std::vector<JointMemory<R>> memory_;
   std::size_t evaluations_ = 0;
@@ -122,7 +122,7 @@ MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
     : system_(system),
       with_ledger_(with_ledger),
       real_(system.template workspace<R>()),
-      dual_(system.template workspace<Dual>()) {
+      dual_(system.template workspace<Seeded>()) {
   for (const JointElement<R>& joint : system.joints()) has_contact_ = has_contact_ || joint.has_contact();
   if (has_contact_) memory_.resize(system.joints().size());
 }
@@ -140,7 +140,8 @@ void MultibodyOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
 
 template <class R>
 void MultibodyOde<R>::time_slope(const State& y, State& slope, const R& t) {
-  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Dual& s) { fill(s, x, dxdt, dual_); }, y, t, slope);
+  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Seeded& s) { fill(s, x, dxdt, dual_); }, y, t,
+                               slope);
 }
 
 template <class R>

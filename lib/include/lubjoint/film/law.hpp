@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "lubjoint/film/bearing.hpp"
+#include "lubjoint/film/dual.hpp"
 #include "lubjoint/film/extent.hpp"
 #include "lubjoint/film/film_state.hpp"
 
@@ -99,14 +100,13 @@ Vector2<T> force_ratio_at_rest(const FilmState<T>& film) {
   Vector2<T> ratio(T(0), T(0));
   if constexpr (ScalarTraits<T>::carries_derivatives) {
     using R = RealOf<T>;
-    using Inner = Eigen::AutoDiffScalar<Vector2<R>>;
+    using Inner = Dual<R, 2>;
     const Vector2<R> e_hat(value_of(film.eccentricity.x()), value_of(film.eccentricity.y()));
     Vector2<R> along(R(1), R(0));
     if (!is_zero(e_hat)) along = -perpendicular(direction(e_hat));
-    const Vector2<Inner> u(Inner(along.x(), 2, 0), Inner(along.y(), 2, 1));
-    const Vector2<Inner> e_fixed(Inner(e_hat.x(), Vector2<R>::Zero()), Inner(e_hat.y(), Vector2<R>::Zero()));
-    const Inner q_fixed(value_of(film.q), Vector2<R>::Zero());
-    const Vector2<Inner> slope = force_ratio_in_motion<Law>(FilmState<Inner>(e_fixed, u, q_fixed));
+    const Vector2<Inner> u(Inner::variable(along.x(), 0), Inner::variable(along.y(), 1));
+    const Vector2<Inner> e_fixed(Inner(e_hat.x()), Inner(e_hat.y()));
+    const Vector2<Inner> slope = force_ratio_in_motion<Law>(FilmState<Inner>(e_fixed, u, Inner(value_of(film.q))));
     ratio.x() = slope.x().derivatives().x() * film.velocity.x() + slope.x().derivatives().y() * film.velocity.y();
     ratio.y() = slope.y().derivatives().x() * film.velocity.x() + slope.y().derivatives().y() * film.velocity.y();
   }

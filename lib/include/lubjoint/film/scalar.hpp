@@ -1,5 +1,5 @@
 /// Scalars that the film, the joint and the equations of motion accept: double, long double, Boost.Multiprecision
-/// numbers, and Eigen's forward-mode AutoDiffScalar over any of them.
+/// numbers, and dual numbers over any of them (dual.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,6 @@
 #include <concepts>
 #include <limits>
 #include <type_traits>
-#include <unsupported/Eigen/AutoDiff>
 
 namespace lubjoint {
 
@@ -18,15 +17,6 @@ struct ScalarTraits {
   using Real = T;                                     ///< the number itself, without derivatives
   static constexpr bool carries_derivatives = false;  ///< is it differentiated forward?
   static const Real& value(const T& x) { return x; }  ///< the number
-};
-
-/// The same of an AutoDiffScalar.
-template <class Derivatives>
-struct ScalarTraits<Eigen::AutoDiffScalar<Derivatives>> {
-  using Real = typename Eigen::AutoDiffScalar<Derivatives>::Scalar;  ///< the number itself, without derivatives
-  static constexpr bool carries_derivatives = true;                  ///< it is
-  /// The number.
-  static const Real& value(const Eigen::AutoDiffScalar<Derivatives>& x) { return x.value(); }
 };
 
 /// The number itself of a scalar type, without derivatives.
@@ -118,14 +108,13 @@ T one_minus_squared_norm(const T& x, const T& y) {
   }
 }
 
-/// Angle of (x, y), atan2(y, x), in (−π, π]. Derivatives are (x dy − y dx)/(x² + y²); Eigen's own take memory.
+/// Angle of (x, y), atan2(y, x), in (−π, π]. Derivatives are (x dy − y dx)/(x² + y²).
 template <class T>
 T polar_angle(const T& y, const T& x) {
   if constexpr (ScalarTraits<T>::carries_derivatives) {
     const RealOf<T> square = x.value() * x.value() + y.value() * y.value();
-    T result = T(y * RealOf<T>(x.value() / square) - x * RealOf<T>(y.value() / square));
-    result.value() = polar_angle(y.value(), x.value());
-    return result;
+    return T(polar_angle(y.value(), x.value()),
+             y.derivatives() * RealOf<T>(x.value() / square) - x.derivatives() * RealOf<T>(y.value() / square));
   } else {
     using std::atan2;
     return T(atan2(y, x));

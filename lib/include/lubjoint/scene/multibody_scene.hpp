@@ -2,12 +2,16 @@
 #pragma once
 
 #include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/scene.hpp"
 
 namespace lubjoint {
 
-// Compiled once, in the scene library: the laws on numbers with and without derivatives.
+// Compiled once, in the scene library: the laws on numbers with and without derivatives, and decompositions.
 extern template class MultibodyOde<double>;
+/// assemble_start of double.
+extern template StartCorrection<double> assemble_start(const PlanarSystem<double>& system, const double& t,
+                                                       const double& length, std::vector<double>& y);
 
 /// Units in which a run's tolerances are counted.
 struct SceneUnits {
