@@ -20,6 +20,22 @@ function(lubjoint_library name)
   target_link_libraries(lubjoint_${name} PRIVATE $<BUILD_INTERFACE:lubjoint_build_flags>)
 endfunction()
 
+# lubjoint_lightly_optimised(TARGET): for what spends its time in other libraries, or hardly any. It takes a quarter less
+# time to compile.
+function(lubjoint_lightly_optimised target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# lubjoint_precompiled(TARGET HEADERS...): what nearly every source of the target reads, read once. The sources include
+# it all the same: presets dev and clang build without.
+function(lubjoint_precompiled target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    # GCC 12 warns of its own std::string (bug 105329) once it comes from a precompiled header.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+  endif()
+endfunction()
+
 # Odeint 1.74 copies steppers whose work arrays are not yet filled, and GCC sees it in these sources.
 function(lubjoint_copies_steppers)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
