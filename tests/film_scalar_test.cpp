@@ -48,6 +48,19 @@ TEST_CASE("every law gives the same force in double, long double and 50 digits, 
   });
 }
 
+TEST_CASE("what rounding leaves out of a square is exact, in double and in long double") {
+  const auto is_exact = []<class R>(R x) {
+    const R square = x * x;
+    const FiftyDigits left_out = FiftyDigits(x) * FiftyDigits(x) - FiftyDigits(square);  // 128 bits of 168
+    return left_out == FiftyDigits(detail::left_out_of_square(x, square));
+  };
+  for (const double x : {0.7, 1 - 0x1p-53, 0x1.00000113p-1, 1e-9}) CHECK(is_exact(x));
+  // Halves are longest just above a power of two.
+  for (const long double x : {0.7L, 1 - 0x1p-64L, 0x8.0000000448b7abfp-4L, 0x8.00000007382d1e7p-4L, 1e-9L}) {
+    CHECK(is_exact(x));
+  }
+}
+
 TEST_CASE("automatic differentiation leaves the value of every law as it is without derivatives") {
   for_each_film_law([]<class Law>() {
     for (const PlaneState& s : states) {
