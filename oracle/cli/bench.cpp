@@ -104,7 +104,7 @@ void require_tables(const BenchOptions& options) {
   for (const std::string& name : options.tables) {
     if (std::ranges::find(bench_tables, name, &BenchTable::name) != bench_tables.end()) continue;
     std::string list;
-    for (const BenchTable& table : bench_tables) list += (list.empty() ? "" : ", ") + std::string(table.name);
+    for (const BenchTable& table : bench_tables) list.append(list.empty() ? "" : ", ").append(table.name);
     throw std::invalid_argument("there is no table \"" + name + "\"; allowed are " + list);
   }
   const bool named = std::ranges::find(options.tables, "scenes") != options.tables.end();

@@ -46,6 +46,7 @@ nlohmann::ordered_json as_json(const std::vector<proofs::ProofResult>& results) 
 
 std::vector<reports::page::ProofEntry> proof_entries(const std::vector<proofs::ProofResult>& results) {
   std::vector<reports::page::ProofEntry> entries;
+  entries.reserve(results.size());
   for (const proofs::ProofResult& result : results) {
     entries.push_back({result.group, result.statement, result.source, proofs::verdict(result), result.as_expected()});
   }

@@ -27,6 +27,7 @@ std::vector<reports::StressCase> wanted_cases(const StressOptions& options) {
   std::vector<reports::StressCase> all = reports::stress_cases(options.scenes);
   if (options.cases.empty()) return all;
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const reports::StressCase& each : all) names.push_back(each.name);
   for (const std::string& name : options.cases) require_name("--case", name, names);
   std::vector<reports::StressCase> wanted;
