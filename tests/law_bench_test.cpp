@@ -53,6 +53,41 @@ TEST_CASE("bench laws: every law has all its methods, with the errors of their p
   CHECK(folder.entries() == std::set<std::string>{"out", "out/bench-batch.csv", "out/bench-laws.csv"});
 }
 
+TEST_CASE("bench quadrature, finite-length: every rule on every film, and no error is larger than its estimate") {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      lubjoint_program({"bench", "quadrature", "finite-length", "--quick", "--out", folder / "out"}, {.seconds = 300});
+  INFO(result.out << result.err);
+  REQUIRE(result.status == 0);
+  const std::set<std::string> written = {"out", "out/bench-finite-length.csv", "out/bench-quadrature.csv"};
+  CHECK(folder.entries() == written);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const char* file : {"out/bench-quadrature.csv", "out/bench-finite-length.csv"}) {
+    for (const CsvRow& row : read_csv(folder / file)) {
+      INFO(row.at("film") << " " << row.at("rule") << " 1 - e/c " << row.at("one_minus_ratio"));
+      seen.emplace(row.at("film"), row.at("rule"));
+      REQUIRE(row.at("error") != "failed");
+      const double error = std::stod(row.at("error"));
+      const double estimate = std::stod(row.at("estimate"));
+      CHECK((error >= 0 && error <= estimate));
+      // The tolerance is that of each component and, in long films, of a turn; rounding near the wall comes on top.
+      CHECK(estimate < 3 * std::stod(row.at("tolerance")) + 1e-9);
+      CHECK(std::stod(row.at("microseconds")) > 0);
+    }
+  }
+  for (const std::string film :
+       {"short_full", "short_half", "short_dynamic", "long_full", "long_half", "long_dynamic"}) {
+    for (const char* rule : {"gauss_legendre", "qag", "qags", "cquad", "trapezoid"}) {
+      INFO(film << " " << rule);
+      const bool periodic = film.ends_with("full");  // all that the trapezoidal rule is for
+      CHECK(seen.contains({film, rule}) == (periodic || std::string(rule) != "trapezoid"));
+    }
+  }
+  for (const char* film : {"finite_full", "finite_half", "finite_dynamic", "finite_reynolds"}) {
+    CHECK(seen.contains({film, "L/D 2.04"}));
+  }
+}
+
 TEST_CASE("bench: tables that are none, and scenes without their table, are refused before anything is written") {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> wrong = {

@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "oracle/proofs/algebra.hpp"
 #include "oracle/proofs/ledger.hpp"
 #include "oracle/proofs/sommerfeld.hpp"
+#include "support/run_program.hpp"
 
 using namespace lubjoint::proofs;
+using lubjoint::test::lubjoint_program;
+using lubjoint::test::ProgramResult;
 
 namespace {
 
@@ -38,6 +42,31 @@ TEST_CASE("proofs: every statement that should hold is proved, every wrong one r
   const std::string table = ledger_table(results);
   CHECK_THAT(table, Catch::Contains("0 not as expected"));
   CHECK_THAT(table, Catch::Contains("not an identity"));
+}
+
+TEST_CASE("prove: the program prints the ledger, and with --json each statement with its verdict") {
+  const ProgramResult table = lubjoint_program({"prove"}, {.seconds = 300});
+  const ProgramResult result = lubjoint_program({"prove", "--json"}, {.seconds = 300});
+  CHECK(table.status == 0);
+  CHECK(result.status == 0);
+  const auto ledger = nlohmann::json::parse(result.out);
+  CHECK(ledger["closes"] == true);
+  const auto all = all_statements();
+  REQUIRE(ledger["statements"].size() == all.size());
+  std::set<std::string> expectations;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& statement = ledger["statements"][i];
+    INFO(statement.dump());
+    CHECK(statement["group"] == all[i].group);
+    CHECK(statement["statement"] == all[i].text);
+    CHECK(statement["as_expected"] == true);
+    CHECK(statement["proved"] == statement["should_hold"]);
+    CHECK(statement["should_hold"] == (statement["expected"] == "holds"));
+    CHECK_FALSE(statement["verdict"].get<std::string>().empty());
+    expectations.insert(statement["expected"]);
+    CHECK_THAT(table.out, Catch::Contains(all[i].text));
+  }
+  CHECK(expectations == std::set<std::string>{"holds", "wrong", "not an identity"});
 }
 
 TEST_CASE("proofs: no statement stands in the ledger twice") {

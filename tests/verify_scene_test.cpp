@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "oracle/verify/trajectory.hpp"
 #include "support/run_program.hpp"
@@ -192,6 +193,41 @@ TEST_CASE("verify: the law that a trajectory was made with is named") {
 TEST_CASE("verify: a trajectory of a golden case is compared with a reference that the golden one confirms") {
   const ProgramResult result = verified("journal", simulated_csv("journal"));
   CHECK_THAT(result.out, Contains("golden trajectory journal-pinkus_sternlicht.csv"));
+}
+
+TEST_CASE("verify: --json of a trajectory has the verdict, each quantity with its error, and the likely mistakes") {
+  const std::string right = simulated_csv("journal");
+  const auto report_of = [](const ProgramResult& result) { return nlohmann::json::parse(result.out); };
+  const ProgramResult good = verified("journal", right, {"--json"});
+  CHECK(good.status == 0);
+  const auto agreeing = report_of(good);
+  CHECK(agreeing["verdict"] == "agrees");
+  CHECK(agreeing["scene"] == "journal");
+  CHECK(agreeing["law"] == "pinkus_sternlicht");
+  CHECK(agreeing["mistakes"].empty());
+  CHECK(agreeing["golden"]["worst"] < 1e-6);  // journal.csv of the golden data: 9 digits at least
+  for (const auto& quantity : agreeing["quantities"]) {
+    INFO(quantity.dump());
+    CHECK(quantity["agrees"] == true);
+    CHECK(quantity["explanation"].is_null());
+    CHECK(quantity["times"] > 500);
+    CHECK((quantity["worst_error"] >= 0 && quantity["worst_error"] <= quantity["worst_allowed"]));
+    CHECK(quantity["rms_error"] <= quantity["worst_allowed"]);
+  }
+  const ProgramResult bad = verified("journal", changed(right, [](Row& row) { row["bearing.fy"] *= -1; }), {"--json"});
+  CHECK(bad.status == 1);
+  const auto disagreeing = report_of(bad);
+  CHECK(disagreeing["verdict"] == "disagrees");
+  CHECK_FALSE(disagreeing["mistakes"].empty());
+  std::size_t wrong = 0;
+  for (const auto& quantity : disagreeing["quantities"]) {
+    if (quantity["agrees"] == true) continue;
+    ++wrong;
+    INFO(quantity.dump());
+    CHECK(quantity["worst_error"] > quantity["worst_allowed"]);
+    CHECK(quantity["columns"].dump().find("bearing.f") != std::string::npos);
+  }
+  CHECK(wrong == 1);
 }
 
 TEST_CASE("verify: trajectories that can't be judged end with status 2 and say why") {

@@ -13,12 +13,18 @@ std::string in_own_words(const CLI::App& app, const CLI::ParseError& error, int 
   // Nor, where an argument is empty, that there is one.
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
     return error.what() + std::string("; allowed is what --help lists");
-  if (!dynamic_cast<const CLI::RequiredError*>(&error) || !app.get_subcommands().empty()) return error.what();
-  std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  const std::string given = argc > 1 ? argv[1] : "";
-  const std::string what = argc > 1 ? "there is no command \"" + given + "\"" : "a command is missing";
-  return what + "; allowed is " + one_of(commands, given);
+  const CLI::App* command = &app;
+  int word = 1;  // where its own command would stand: none has options before it
+  for (; !command->get_subcommands().empty(); ++word) command = command->get_subcommands().front();
+  const auto allowed = command->get_subcommands({});
+  if (!dynamic_cast<const CLI::RequiredError*>(&error) || allowed.empty()) return error.what();
+  std::vector<std::string> names;
+  names.reserve(allowed.size());
+  for (const CLI::App* each : allowed) names.push_back(each->get_name());
+  const std::string after = word > 1 ? " after \"" + command->get_name() + "\"" : "";
+  const std::string given = argc > word ? argv[word] : "";
+  const std::string what = argc > word ? "there is no command \"" + given + "\"" : "a command is missing";
+  return what + after + "; allowed is " + one_of(names, given);
 }
 
 }  // namespace
