@@ -65,6 +65,28 @@ Scene stone() {
 /// (q, q̇) of the stone.
 State thrown(double t) { return {1 + 3 * t, 4 + 2 * t - 5 * t * t, 0, 3, 2 - 10 * t, 0}; }
 
+/// The stone's flight of 0.5 s by trial steps of a test.
+struct StoneRun {
+  Scene scene = stone();
+  detail::PreparedScene prepared = detail::prepare(scene);
+  MultibodyOde<double> ode{prepared.system, false};
+  Requests requests;
+  MultibodyRun<double> run;
+
+  StoneRun(ScriptedSteps::TrialStep step, ConstraintUpkeep upkeep)
+      : run(ode, scene.run, std::make_unique<ScriptedSteps>(std::move(step), requests), upkeep) {}
+  RunOutcome outcome() { return run.run(prepared.start); }
+};
+
+/// A trial step that comes to the stone's place at a time.
+ScriptedSteps::TrialStep throw_to(double end) {
+  return [end](auto&, State& y, double& t, double&) {
+    t = end;
+    y = thrown(t);
+    return true;
+  };
+}
+
 /// The shaft of the impact scene in oil alone, so thick that it does not come near the wall.
 Scene shaft_in_oil() {
   Scene scene = load_scene(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/impact.toml");
@@ -113,21 +135,11 @@ TEST_CASE("a trial step that ends beyond the wall is tried again at half its len
 }
 
 TEST_CASE("samples inside a step are of the rates at both of its ends, the run's first step too") {
-  const Scene scene = stone();
-  const detail::PreparedScene prepared = detail::prepare(scene);
-  MultibodyOde<double> ode(prepared.system, false);
-  Requests requests;
-  const auto to_the_end = [&](auto&, State& y, double& t, double&) {
-    t = scene.run.duration;
-    y = thrown(t);
-    return true;
-  };
-  MultibodyRun<double> run(ode, scene.run, std::make_unique<ScriptedSteps>(to_the_end, requests),
-                           ConstraintUpkeep::by_accelerations);
-  CHECK(run.run(prepared.start).steps == 1);
-  CHECK(requests.end_rates == 1);  // the method's own, if it has a better one
-  REQUIRE(run.recorder().samples().size() == 6);
-  for (const MultibodySample& sample : run.recorder().samples()) {
+  StoneRun stone(throw_to(0.5), ConstraintUpkeep::by_accelerations);
+  CHECK(stone.outcome().steps == 1);
+  CHECK(stone.requests.end_rates == 1);  // the method's own, if it has a better one
+  REQUIRE(stone.run.recorder().samples().size() == 6);
+  for (const MultibodySample& sample : stone.run.recorder().samples()) {
     for (std::size_t i = 0; i < 6; ++i) {
       CHECK(sample.state[i] == Approx(thrown(sample.t)[i]).epsilon(0).margin(1e-13));  // of 4 m: rounding
     }
@@ -135,37 +147,22 @@ TEST_CASE("samples inside a step are of the rates at both of its ends, the run's
 }
 
 TEST_CASE("a projected state's rate is the method's own, too") {
-  const Scene scene = stone();
-  const detail::PreparedScene prepared = detail::prepare(scene);
-  MultibodyOde<double> ode(prepared.system, false);
-  Requests requests;
-  const auto to_the_end = [&](auto&, State& y, double& t, double&) {
-    t = scene.run.duration;
-    y = thrown(t);
-    return true;
-  };
-  MultibodyRun<double> run(ode, scene.run, std::make_unique<ScriptedSteps>(to_the_end, requests),
-                           ConstraintUpkeep::by_projection);
-  CHECK(run.run(prepared.start).steps == 1);
-  CHECK(requests.end_rates == 2);  // at the step's end, and at the point that it is projected to
+  StoneRun stone(throw_to(0.5), ConstraintUpkeep::by_projection);
+  CHECK(stone.outcome().steps == 1);
+  CHECK(stone.requests.end_rates == 2);  // at the step's end, and at the point that it is projected to
 }
 
 TEST_CASE("a run that gets on well and then no further is stopped within two windows of trial steps") {
-  const Scene scene = stone();
-  const detail::PreparedScene prepared = detail::prepare(scene);
-  MultibodyOde<double> ode(prepared.system, false);
-  Requests requests;
-  const auto half_then_hardly = [&](auto&, State& y, double& t, double&) {
-    t += t == 0 ? scene.run.duration / 2 : 1e-12 * scene.run.duration;
+  const auto half_then_hardly = [](auto&, State& y, double& t, double&) {
+    t += t == 0 ? 0.25 : 0.5e-12;
     y = thrown(t);
     return true;
   };
-  MultibodyRun<double> run(ode, scene.run, std::make_unique<ScriptedSteps>(half_then_hardly, requests),
-                           ConstraintUpkeep::by_accelerations);
-  const RunOutcome outcome = run.run(prepared.start);
+  StoneRun stone(half_then_hardly, ConstraintUpkeep::by_accelerations);
+  const RunOutcome outcome = stone.outcome();
   CHECK(outcome.status == RunStatus::stopped);
   CHECK_THAT(outcome.message, Contains("stopped at t = 0.25") && Contains("trial steps have brought less than"));
-  CHECK(requests.tried.size() < 2 * stall_limit);
+  CHECK(stone.requests.tried.size() < 2 * stall_limit);
 }
 
 TEST_CASE("the words of a step limit name what would need fewer") {

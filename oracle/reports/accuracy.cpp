@@ -26,7 +26,11 @@ std::vector<double> ratios() {
   for (int exponent = -300; exponent < -20; exponent += 40) all.push_back(std::pow(10.0, exponent));
   for (int exponent = -20; exponent < -1; exponent += 2) all.push_back(std::pow(10.0, exponent));
   for (int i = 1; i < 20; ++i) all.push_back(0.05 * i);
-  for (double gap = 2e-2; gap > 0.9e-12; gap /= std::sqrt(10.0)) all.push_back(1 - gap);
+  double gap = 2e-2;
+  while (gap > 0.9e-12) {
+    all.push_back(1 - gap);
+    gap /= std::sqrt(10.0);
+  }
   all.push_back(1 - 1e-12);
   return all;
 }

@@ -76,7 +76,7 @@ std::string read_input(const std::string& name) {
   if (name == "-") return read_all(std::cin);
   std::error_code error;
   std::ifstream stream(name, std::ios::binary);
-  const std::string text = read_all(stream);
+  std::string text = read_all(stream);
   if (fs::is_directory(name, error) || !stream.is_open() || stream.bad()) {
     throw std::invalid_argument("\"" + name + "\" can't be read; allowed is a file, or - for standard input");
   }

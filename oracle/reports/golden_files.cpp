@@ -31,7 +31,8 @@ std::string distance(std::string_view found, std::string_view expected) {
   try {
     const Number is(std::string{found});
     const Number should(std::string{expected});
-    const Number off = abs(is - should);
+    const Number difference = is - should;
+    const Number off = abs(difference);
     if (should == 0) return ", off by " + off.str(2, std::ios::scientific);
     return ", off by " + Number(off / abs(should)).str(2, std::ios::scientific) + " of it";
   } catch (const std::runtime_error&) {

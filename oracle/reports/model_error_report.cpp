@@ -37,6 +37,7 @@ std::string within_sentences(const std::vector<ModelErrorSummary>& summaries, or
     std::sort(within.begin(), within.end(),
               [i](const auto* x, const auto* y) { return x->share_within[i] > y->share_within[i]; });
     std::vector<std::string> named;
+    named.reserve(within.size());
     for (const ModelErrorSummary* s : within) {
       named.push_back(fmt::format("{} at {:.0f} % of the states (closing {:.0f} %, sliding {:.0f} %, opening {:.0f} %)",
                                   s->law, 100 * s->share_within[i], 100 * s->by_direction[i][0],

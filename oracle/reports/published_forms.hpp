@@ -97,7 +97,7 @@ PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const 
   using std::abs;
   using std::pow;
   using std::sqrt;
-  const R pi = boost::math::constants::pi<R>();
+  const R& pi = boost::math::constants::pi<R>();
   const R q = (1 - epsilon) * (1 + epsilon);
   const R d = 2 + epsilon * epsilon;
   const R q12 = sqrt(q);

@@ -1,7 +1,12 @@
 #!/usr/bin/env python3
-"""What mutants.py changes and what it leaves alone, on sources made for it."""
+"""What mutants.py changes and what it leaves alone, on sources made for it; and that the tables in data agree."""
 
+import csv
+import importlib.machinery
+import importlib.util
+import sys
 import unittest
+from pathlib import Path
 
 import embed
 import mutants
@@ -130,6 +135,33 @@ class Switches(unittest.TestCase):
         self.assertTrue(inside)
         self.assertEqual(text.count("\n"), source.count("\n"))
         self.assertIn("return x - g(x, 2);", text)
+
+
+class Tables(unittest.TestCase):
+    """The tables of the last campaign, in data/mutation."""
+
+    def setUp(self):
+        here = Path(__file__).resolve().parent
+        sys.dont_write_bytecode = True
+        loader = importlib.machinery.SourceFileLoader("run", str(here / "run"))
+        self.run_script = importlib.util.module_from_spec(importlib.util.spec_from_loader("run", loader))
+        loader.exec_module(self.run_script)
+        self.data = here.parents[1] / "data/mutation"
+        with open(self.data / "results.csv", newline="") as file:
+            self.results = list(csv.DictReader(file))
+
+    def test_totals_are_those_of_the_results(self):
+        with open(self.data / "totals.csv", newline="") as file:
+            written = [{k: v for k, v in row.items() if k != "seed"} for row in csv.DictReader(file)]
+        expected = [{k: str(v) for k, v in row.items()} for row in self.run_script.totals(self.results)]
+        self.assertEqual(written, expected)
+        self.assertGreaterEqual(int(written[-1]["mutants"]), 250)
+
+    def test_what_is_equivalent_is_argued(self):
+        argued = self.run_script.equivalents(self.data / "equivalent.md")
+        for row in self.results:
+            if row["verdict"] == self.run_script.EQUIVALENT:
+                self.assertIn(row["id"], argued)
 
 
 if __name__ == "__main__":

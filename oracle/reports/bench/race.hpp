@@ -58,7 +58,7 @@ class RaceCase final : public BenchCase {
     std::vector<double> seconds;
     const auto begin = Clock::now();
     for (int i = 0; i < limits.repeats; ++i) {
-      const MethodRun timed = once(method, tolerance, limits, nullptr);
+      MethodRun timed = once(method, tolerance, limits, nullptr);
       if (!timed.finished) return timed;  // at the edge of its share of time: no time of it is known
       seconds.push_back(timed.seconds);
       result.rhs_evaluations = timed.rhs_evaluations;

@@ -276,7 +276,7 @@ void draw_scene_bench(const SceneBench& bench, const std::filesystem::path& fold
       }
       if (lines.empty()) continue;
       plot.script += "plot " + lines + "\n";
-      draw(plot, folder, "bench-" + scene + "-" + formulation);
+      draw(plot, folder, fmt::format("bench-{}-{}", scene, formulation));
     }
   }
 }

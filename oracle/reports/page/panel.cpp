@@ -90,6 +90,7 @@ std::string inline_svg(const std::string& document, const Panel& panel) {
 
 std::string draw_panels(const std::vector<Panel>& panels) {
   std::vector<Plot> plots;
+  plots.reserve(panels.size());
   for (const Panel& panel : panels) plots.push_back(panel.plot);
   const std::vector<std::string> documents = svg_of(plots);
   std::string html;

@@ -259,13 +259,13 @@ std::string stress_key(const std::vector<StressCase>& cases, const StressSetting
   std::string key = fmt::format("{} steps;", settings.most_steps);
   std::map<std::string, std::string> scenes;  // checksums by file
   for (const StressCase& each : cases) {
-    key += " " + each.name;
+    key += fmt::format(" {}", each.name);
     if (!scenes.contains(each.scene.file)) scenes[each.scene.file] = sha256(read_input(each.scene.file));
   }
-  for (const auto& [file, checksum] : scenes) key += " " + file + " " + checksum;
+  for (const auto& [file, checksum] : scenes) key += fmt::format(" {} {}", file, checksum);
   for (const auto* names : {&settings.laws, &settings.integrators}) {
     key += ';';
-    for (const std::string& name : *names) key += " " + name;
+    for (const std::string& name : *names) key += fmt::format(" {}", name);
   }
   return key;
 }

@@ -377,6 +377,7 @@ class RadauIIA5 {
   bool rate_is_current_ = false;
   bool jacobian_is_usable_ = false;
   bool jacobian_is_of_this_state_ = false;
+  int iterations_ = 0;
   state_type x_{};
   R t_ = 0;
   Vector scale_;
@@ -387,7 +388,6 @@ class RadauIIA5 {
   R longest_ = 0;  ///< beyond this length Newton's iterations have lately diverged
   ShiftedSolver<R, dimension> solver_;
   Stages z_;
-  int iterations_ = 0;
   R newton_rate_ = 0;
   R h_accepted_ = 0;
   R error_accepted_ = 0;
