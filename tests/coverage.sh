@@ -15,7 +15,8 @@ cmake --preset coverage >/dev/null
 cmake --build $build -j "${LUBJOINT_JOBS:-1}" --target ${LUBJOINT_TARGETS:-all} >&2
 find $build -name '*.gcda' -delete # counts add up from run to run
 status=0
-ctest --test-dir $build --output-on-failure "$@" >&2 || status=$?
+# Not here: a full disk takes no counts, either, and a package does not depend on the library that counts.
+ctest --test-dir $build --output-on-failure -E "^(Out of space: the message|Debian packages)" "$@" >&2 || status=$?
 
 mkdir -p $build/report
 # Branches that only an exception thrown by a called function takes are the compiler's, not ours.

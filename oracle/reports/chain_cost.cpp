@@ -82,6 +82,7 @@ ChainCost cost_of(std::size_t bodies, std::size_t rounds) {
 
 std::vector<ChainCost> chain_cost(std::size_t rounds) {
   std::vector<ChainCost> rows;
+  rows.reserve(lengths.size());
   for (const std::size_t bodies : lengths) rows.push_back(cost_of(bodies, rounds));
   return rows;
 }

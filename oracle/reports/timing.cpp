@@ -23,6 +23,7 @@ std::vector<double> interleaved_medians(int repeats, const std::vector<std::func
     }
   }
   std::vector<double> medians;
+  medians.reserve(times.size());
   for (std::vector<double>& column : times) medians.push_back(median_of(std::move(column)));
   return medians;
 }

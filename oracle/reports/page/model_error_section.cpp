@@ -136,6 +136,7 @@ Section model_error_section(const Content& content) {
         fmt::format("<li><span class=\"swatch\" style=\"background:{}\"></span>{}</li>\n", level.colour, level.words);
   }
   std::vector<Panel> panels;
+  panels.reserve(film_law_names.size());
   for (const std::string_view law : film_law_names) panels.push_back(map_panel(content.model_error.map, law));
   return {"model-error", "Model error for this bearing",
           filled("model-error.html",

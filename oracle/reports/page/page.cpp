@@ -53,7 +53,7 @@ std::string report_page(const Content& content) {
 
 std::string write_page(const Content& content, const std::filesystem::path& folder) {
   prepare_folder(folder);
-  const std::string name = "report.html";
+  std::string name = "report.html";
   write_file(folder / name, report_page(content));
   return name;
 }

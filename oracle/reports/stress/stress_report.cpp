@@ -108,6 +108,7 @@ std::string stress_table(const std::vector<StressCase>& cases, const std::vector
     if (cell.status == StressStatus::stopped) ++kinds[stop_kind(cell.message)];
   }
   std::vector<std::pair<std::size_t, std::string>> sorted;
+  sorted.reserve(kinds.size());
   for (const auto& [kind, count] : kinds) sorted.emplace_back(count, kind);
   std::sort(sorted.begin(), sorted.end(), std::greater<>());
   text += sorted.empty() ? "\nNo run stopped.\n" : "\nReasons of the stops:\n";

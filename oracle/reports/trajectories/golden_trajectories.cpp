@@ -130,6 +130,7 @@ void write_golden_trajectories(const fs::path& folder, const std::vector<GoldenT
     report(agreement(each.file, made));
   });
   std::vector<GoldenFile> files;
+  files.reserve(trajectories.size());
   for (const GoldenTrajectory& each : trajectories) {
     files.push_back({each.file, read_input((folder / each.file).string())});
   }
@@ -146,6 +147,7 @@ std::vector<GoldenDifference> check_golden_trajectories(const fs::path& folder,
     const ReferenceCsv made = each.make();
     const CsvTable expected(made.csv, "regenerated");
     std::vector<std::string> rows;
+    rows.reserve(expected.rows());
     for (std::size_t row = 0; row < expected.rows(); ++row) rows.push_back(expected.line(row));
     found[i] = csv_differences(each.file, expected.header(), rows, read_input((folder / each.file).string()));
     report(agreement(each.file, made) + (found[i].empty() ? "; every byte as regenerated" : "; DIFFERENT"));
@@ -153,6 +155,7 @@ std::vector<GoldenDifference> check_golden_trajectories(const fs::path& folder,
   std::vector<GoldenDifference> differences;
   for (const auto& each : found) differences.insert(differences.end(), each.begin(), each.end());
   std::vector<std::string> names;
+  names.reserve(trajectories.size());
   for (const GoldenTrajectory& each : trajectories) names.push_back(each.file);
   for (const GoldenDifference& each : manifest_differences(folder, names)) differences.push_back(each);
   return differences;
