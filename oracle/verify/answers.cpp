@@ -131,6 +131,7 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
     const reports::CsvTable table(csv, name);
     const std::size_t id = table.column("id");
     std::vector<std::size_t> columns;
+    columns.reserve(names.size());
     for (const std::string_view column : names) columns.push_back(table.column(column));
     Answers answers;
     answers.values.assign(count, Answer{});

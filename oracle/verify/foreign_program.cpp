@@ -75,17 +75,17 @@ class BrokenPipesIgnored {
 class EndsWithUs {
  public:
   explicit EndsWithUs(pid_t group) {
-    group_ = group;
+    ended_group = group;
     struct sigaction action {};
     action.sa_handler = end_both;
     sigfillset(&action.sa_mask);
     for (std::size_t i = 0; i < signals.size(); ++i) {
-      ::sigaction(signals[i], nullptr, &before_[i]);
-      if (before_[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);  // nohup
+      ::sigaction(signals[i], nullptr, &handlers_before[i]);
+      if (handlers_before[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);  // nohup
     }
   }
   ~EndsWithUs() {
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &handlers_before[i], nullptr);
   }
   EndsWithUs(const EndsWithUs&) = delete;
   EndsWithUs& operator=(const EndsWithUs&) = delete;
@@ -94,15 +94,15 @@ class EndsWithUs {
   static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
   static void end_both(int signal) {
-    ::kill(-group_, SIGKILL);
+    ::kill(-ended_group, SIGKILL);
     for (std::size_t i = 0; i < signals.size(); ++i) {
-      if (signals[i] == signal) ::sigaction(signal, &before_[i], nullptr);
+      if (signals[i] == signal) ::sigaction(signal, &handlers_before[i], nullptr);
     }
     ::raise(signal);  // as it would have been, when this returns
   }
 
-  static inline volatile std::sig_atomic_t group_ = 0;
-  static inline std::array<struct sigaction, signals.size()> before_;
+  static inline volatile std::sig_atomic_t ended_group = 0;
+  static inline std::array<struct sigaction, signals.size()> handlers_before;
 };
 
 /// A running program, head of its own process group; killed and reaped if its owner gives up.
@@ -110,6 +110,7 @@ class Child {
  public:
   Child(const std::vector<std::string>& command, const Pipe& in, const Pipe& out, const Pipe& error) {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
