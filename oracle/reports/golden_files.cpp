@@ -27,12 +27,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 /// How far apart two fields are, if both are numbers.
 std::string distance(std::string_view found, std::string_view expected) {
-  using Number = boost::multiprecision::cpp_dec_float_50;
+  using Number = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
   try {
     const Number is(std::string{found});
     const Number should(std::string{expected});
-    const Number difference = is - should;
-    const Number off = abs(difference);
+    const Number off = abs(is - should);
     if (should == 0) return ", off by " + off.str(2, std::ios::scientific);
     return ", off by " + Number(off / abs(should)).str(2, std::ios::scientific) + " of it";
   } catch (const std::runtime_error&) {
