@@ -2,7 +2,6 @@
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,8 +13,6 @@
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-using lubjoint::testing::CsvRow;
-using lubjoint::testing::read_csv;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
@@ -35,15 +32,6 @@ Json json_of(const Words& arguments, int status = 0) {
   INFO(result.err);
   REQUIRE(result.status == status);
   return Json::parse(result.out);
-}
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-double number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  REQUIRE((error == std::errc() && end == text.data() + text.size()));
-  return value;
 }
 
 /// Processor time of the programs that have ended [s].

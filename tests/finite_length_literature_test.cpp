@@ -8,8 +8,7 @@
 
 using namespace lubjoint;
 using namespace lubjoint::oracle;
-using lubjoint::testing::CsvRow;
-using lubjoint::testing::read_csv;
+using namespace lubjoint::test;
 
 namespace {
 
@@ -18,8 +17,6 @@ constexpr double clearance = 4e-5;
 constexpr double viscosity = 0.03;
 constexpr double rate = 50;  // ω or |dε/dt| [1/s]; the numbers compared do not depend on any of these four
 
-double number(const CsvRow& row, const std::string& column) { return std::stod(row.at(column)); }
-
 struct Solved {
   double load;      // |F| [N]
   double attitude;  // [°]
@@ -27,8 +24,8 @@ struct Solved {
 };
 
 Solved solve(const CsvRow& row, double a, double b) {
-  const Bearing<double> bearing(2 * radius * number(row, "length_to_diameter"), radius, clearance);
-  const PolarFilmState<double> state(number(row, "eccentricity_ratio"), a, b);
+  const Bearing<double> bearing(2 * radius * number(row.at("length_to_diameter")), radius, clearance);
+  const PolarFilmState<double> state(number(row.at("eccentricity_ratio")), a, b);
   const FiniteLengthOptions options{1e-4, FilmOnset::maximum_film};
   const FiniteLengthResult force =
       finite_length_force(FiniteFilm::finite_reynolds, bearing, Lubricant<double>(viscosity), state, options);
@@ -53,13 +50,13 @@ struct Worst {
 TEST_CASE("finite length: Raimondi and Boyd's Sommerfeld numbers and attitude angles are met with a pinned onset") {
   Worst number_off, angle_off;
   for (const CsvRow& row : read_csv(LUBJOINT_SOURCE_DIR "/data/literature/raimondi-boyd.csv")) {
-    const Solved solved = solve(row, number(row, "eccentricity_ratio") * rate, 0);
-    const double unit_load = solved.load / (4 * radius * radius * number(row, "length_to_diameter"));
+    const Solved solved = solve(row, number(row.at("eccentricity_ratio")) * rate, 0);
+    const double unit_load = solved.load / (4 * radius * radius * number(row.at("length_to_diameter")));
     const double revolutions = rate / (2 * std::numbers::pi);
     const double sommerfeld = viscosity * revolutions / unit_load * std::pow(radius / clearance, 2);
     CHECK(solved.error < 1e-4);  // the tolerance asked for: nothing against the table's scatter
-    number_off.see(sommerfeld / number(row, "sommerfeld_number") - 1, row);
-    angle_off.see(solved.attitude - number(row, "attitude_angle_deg"), row);
+    number_off.see(sommerfeld / number(row.at("sommerfeld_number")) - 1, row);
+    angle_off.see(solved.attitude - number(row.at("attitude_angle_deg")), row);
   }
   INFO("worst Sommerfeld number: " << 100 * number_off.difference << " % at " << number_off.where);
   INFO("worst attitude angle: " << angle_off.difference << " degrees at " << angle_off.where);
@@ -75,13 +72,13 @@ TEST_CASE("finite length: Butenschön's load numbers for rotation, closing and o
     const std::string& motion = row.at("motion");
     const bool rotates = motion == "rotation";
     const double b = rotates ? 0 : motion == "closing" ? rate : -rate;
-    const Solved solved = solve(row, rotates ? number(row, "eccentricity_ratio") * rate : 0, b);
-    const double length = 2 * radius * number(row, "length_to_diameter");
+    const Solved solved = solve(row, rotates ? number(row.at("eccentricity_ratio")) * rate : 0, b);
+    const double length = 2 * radius * number(row.at("length_to_diameter"));
     const double load = solved.load * std::pow(clearance / radius, 2) / (length * 2 * radius * viscosity * rate);
     INFO(motion << " at eccentricity ratio " << row.at("eccentricity_ratio"));
     CHECK(solved.error < 1e-4);  // the tolerance asked for
-    number_off.see(load / number(row, "load_number") - 1, row);
-    if (rotates) angle_off.see(solved.attitude - number(row, "attitude_angle_deg"), row);
+    number_off.see(load / number(row.at("load_number")) - 1, row);
+    if (rotates) angle_off.see(solved.attitude - number(row.at("attitude_angle_deg")), row);
   }
   INFO("worst load number: " << 100 * number_off.difference << " % at " << number_off.where);
   INFO("worst attitude angle: " << angle_off.difference << " degrees at " << angle_off.where);

@@ -35,20 +35,6 @@ Words lines(const std::string& text) {
   return list;
 }
 
-Words fields(const std::string& line) {
-  Words list;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) list.push_back(field);
-  return list;
-}
-
-double number(const std::string& text) {
-  double value = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), value).ptr;
-  REQUIRE(end == text.data() + text.size());
-  return value;
-}
-
 std::vector<PolarFilmState<double>> states() {
   std::vector<PolarFilmState<double>> list{{0, 0, 0},     {0, 3, 0},      {0, -3, 1},     {0, 0, -1},
                                            {0.5, 0, 0},   {0.5, 0, 1},    {1e-300, 1, 1}, {1 - 1e-12, 1, -1},

@@ -9,8 +9,6 @@
 
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
-using lubjoint::testing::CsvRow;
-using lubjoint::testing::read_csv;
 
 TEST_CASE("bench laws: every law has all its methods, with the errors of their precision and times above zero") {
   const TemporaryFolder folder;

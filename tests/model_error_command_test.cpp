@@ -13,8 +13,6 @@
 using namespace lubjoint::test;
 using Catch::Contains;
 using Words = std::vector<std::string>;
-using lubjoint::testing::CsvRow;
-using lubjoint::testing::read_csv;
 
 namespace {
 

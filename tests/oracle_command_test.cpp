@@ -1,6 +1,5 @@
 // `oracle`: forces and pressures by quadrature and of finite length, run as a user runs them.
 #include <catch2/catch.hpp>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -12,8 +11,6 @@ using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
 using Words = std::vector<std::string>;
-using lubjoint::testing::CsvRow;
-using lubjoint::testing::read_csv;
 
 namespace {
 
@@ -27,20 +24,6 @@ Words with_bearing(Words words, const std::string& bearing_length = "0.04") {
   words.push_back(bearing_length);
   return words;
 }
-
-double number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  REQUIRE((error == std::errc() && end == text.data() + text.size()));
-  return value;
-}
-
-std::vector<CsvRow> rows_of(const std::string& csv) {
-  const TemporaryFolder folder;
-  return read_csv(folder.write("rows.csv", csv));
-}
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string output_of(const Words& words, const std::string& input = {}) {
   const ProgramResult result = lubjoint_program(words, {.input = input});
@@ -82,7 +65,7 @@ Words pressure_of(const std::string& film, Words more = {}) {
 TEST_CASE("oracle force: agrees with every closed-form law within the error that it states, by every rule") {
   for (const std::string film :
        {"short_full", "short_half", "short_dynamic", "long_full", "long_half", "long_dynamic"}) {
-    const auto closed = rows_of(output_of(with_bearing({"force", "--law", film, "--states", "-"}), states));
+    const auto closed = parse_csv(output_of(with_bearing({"force", "--law", film, "--states", "-"}), states));
     const bool dynamic = film.ends_with("dynamic");
     for (const std::string rule : {"gauss_legendre", "qag", "qags", "cquad"}) {
       INFO(film << " " << rule);
@@ -91,7 +74,7 @@ TEST_CASE("oracle force: agrees with every closed-form law within the error that
           states);
       CHECK(first_line(csv) == std::string("eccentricity_ratio,slip_rate,squeeze_rate,radial,tangential,") +
                                    (dynamic ? "theta_s,theta_e," : "") + "radial_error,tangential_error");
-      const auto rows = rows_of(csv);
+      const auto rows = parse_csv(csv);
       REQUIRE(rows.size() == closed.size());
       for (std::size_t i = 0; i < rows.size(); ++i) {
         INFO("e/c " << rows[i].at("eccentricity_ratio"));
@@ -117,9 +100,9 @@ TEST_CASE("oracle force: a film of finite length becomes the short film as L/D g
     for (const char* short_length : {"0.004", "0.001"}) {  // L/D 0.2 and 0.05
       Words words = with_bearing({"oracle", "force", "--film", "finite_" + extent, "--states", "-"}, short_length);
       words.insert(words.end(), {"--rtol", "1e-5"});
-      const auto finite = rows_of(output_of(words, state));
-      const auto limit =
-          rows_of(output_of(with_bearing({"force", "--law", "short_" + extent, "--states", "-"}, short_length), state));
+      const auto finite = parse_csv(output_of(words, state));
+      const auto limit = parse_csv(
+          output_of(with_bearing({"force", "--law", "short_" + extent, "--states", "-"}, short_length), state));
       errors.push_back(apart(force_in(finite[0]), force_in(limit[0])) / size(force_in(limit[0])));
     }
     INFO(extent << " " << errors[0] << " " << errors[1]);
@@ -129,9 +112,9 @@ TEST_CASE("oracle force: a film of finite length becomes the short film as L/D g
     CHECK(std::abs(order - (extent == "half" ? 1 : 2)) < 0.25);  // the next term, at L/D 0.2
     CHECK(errors[1] < 0.05);                                     // L/D
     const auto finite =
-        rows_of(output_of(with_bearing({"oracle", "force", "--film", "finite_" + extent, "--states", "-"}), state));
+        parse_csv(output_of(with_bearing({"oracle", "force", "--film", "finite_" + extent, "--states", "-"}), state));
     const auto infinite =
-        rows_of(output_of(with_bearing({"force", "--law", "long_" + extent, "--states", "-"}), state));
+        parse_csv(output_of(with_bearing({"force", "--law", "long_" + extent, "--states", "-"}), state));
     CHECK(size(force_in(finite[0])) < size(force_in(infinite[0])));
     CHECK(finite[0].contains("theta_s") == (extent == "dynamic"));
   }
@@ -142,8 +125,8 @@ TEST_CASE("oracle force: Reynolds' film states its error, and its tolerance is k
   const std::string state = "eccentricity_ratio,slip_rate,squeeze_rate\n0.5,-2,1\n0.9,1,0.1\n";
   Words finer = words;
   finer.insert(finer.end(), {"--rtol", "1e-4"});
-  const auto coarse = rows_of(output_of(words, state));
-  const auto fine = rows_of(output_of(finer, state));
+  const auto coarse = parse_csv(output_of(words, state));
+  const auto fine = parse_csv(output_of(finer, state));
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const double stated = std::hypot(number(coarse[i].at("radial_error")), number(coarse[i].at("tangential_error")));
     const double finer_stated = std::hypot(number(fine[i].at("radial_error")), number(fine[i].at("tangential_error")));
@@ -155,21 +138,21 @@ TEST_CASE("oracle force: Reynolds' film states its error, and its tolerance is k
   onset.insert(onset.end(), {"--onset", "maximum_film"});
   // In pure sliding a film that begins at the maximum film thickness has another edge: another force.
   const std::string sliding = "eccentricity_ratio,slip_rate,squeeze_rate\n0.5,-2,0\n";
-  const Force free = force_in(rows_of(output_of(words, sliding))[0]);
-  CHECK(apart(force_in(rows_of(output_of(onset, sliding))[0]), free) > 0.1 * size(free));
+  const Force free = force_in(parse_csv(output_of(words, sliding))[0]);
+  CHECK(apart(force_in(parse_csv(output_of(onset, sliding))[0]), free) > 0.1 * size(free));
 }
 
 TEST_CASE("oracle pressure: the field is zero at the ends, and its sum over the film is the force") {
   // A simple sum over the printed field, and the adaptive quadrature behind `oracle force`.
   const auto forces = [](const std::string& film) {
-    return rows_of(output_of(with_bearing({"oracle", "force", "--film", film, "--states", "-"}),
-                             "eccentricity_ratio,slip_rate,squeeze_rate\n0.6,-40,15\n"))[0];
+    return parse_csv(output_of(with_bearing({"oracle", "force", "--film", film, "--states", "-"}),
+                               "eccentricity_ratio,slip_rate,squeeze_rate\n0.6,-40,15\n"))[0];
   };
   for (const std::string film : {"short_half", "long_full", "short_dynamic", "finite_half", "finite_reynolds"}) {
     INFO(film);
     const std::string csv = output_of(pressure_of(film, {"--angles", "721", "--stations", "41"}));
     CHECK(first_line(csv) == "theta,z,pressure");
-    const auto rows = rows_of(csv);
+    const auto rows = parse_csv(csv);
     REQUIRE(rows.size() == 721 * 41);
     Force sum{0, 0};
     double at_ends = 0;
