@@ -1,3 +1,4 @@
+#include <array>
 #include <boost/math/tools/roots.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -58,6 +59,41 @@ TEST_CASE("contact: entry is located to 1e-12 s") {
   REQUIRE(!run.events.empty());
   CHECK(std::abs(run.events[0].t - 0.0002 / 0.7) < 1e-12);
   CHECK(std::abs(run.events[0].normal_speed - 0.7) < 1e-12);  // a free flight: rounding
+}
+
+TEST_CASE("contact: of several journals that touch within one step each does at its own time, and leaves as if alone") {
+  constexpr double clearance = 0.0002;
+  constexpr double restitution = 0.7;
+  // Far apart; 2e-7 s apart, the first joint first and last; together to the bit.
+  const std::vector<std::array<double, 3>> cases = {
+      {0.7, 0.5, 0.6}, {0.7, 0.6995, 0.6993}, {0.6993, 0.7, 0.6995}, {0.7, 0.7, 0.7}};
+  for (const auto& speeds : cases) {
+    Scene scene = thrown_journal(speeds[0], restitution);
+    for (std::size_t i = 1; i < speeds.size(); ++i) {
+      const double place = 0.1 * static_cast<double>(i);
+      scene.bodies.push_back(body("journal " + std::to_string(i), 0.13, 2.5e-4, {place, 0}));
+      scene.bodies[i].velocity = {speeds[i], 0};
+      scene.joints.push_back(dry_joint({std::nullopt, {place, 0}}, {i, {0, 0}}, restitution));
+    }
+    scene.run.duration = clearance / 0.5 + 2e-4;
+    const MultibodyTrajectory run = simulate_multibody(scene);
+    INFO(speeds[0] << ' ' << speeds[1] << ' ' << speeds[2] << ' ' << run.outcome.message);
+    REQUIRE(run.outcome.status == RunStatus::finished);
+    std::array<std::vector<ContactEvent>, 3> of_joint;
+    for (std::size_t k = 0; k < run.events.size(); ++k) {
+      if (k > 0) CHECK(run.events[k].t >= run.events[k - 1].t);
+      of_joint[run.events[k].joint].push_back(run.events[k]);
+    }
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      INFO("journal " << i);
+      REQUIRE(of_joint[i].size() == 2);  // in and out
+      CHECK(of_joint[i][0].to == ContactPhase::dry);
+      CHECK(std::abs(of_joint[i][0].t - clearance / speeds[i]) < 1e-12);  // a free flight; 0.1 m rounds to 1e-17 m
+      CHECK(std::abs(of_joint[i][0].normal_speed - speeds[i]) < 1e-12);
+      CHECK(std::abs(-of_joint[i][1].normal_speed / exact_exit_speed(speeds[i], restitution) - 1) <
+            1e-7);  // tolerance x stiffness
+    }
+  }
 }
 
 TEST_CASE("impact scene: film, blend and dry contact, with a force that is continuous across every event") {
