@@ -44,10 +44,8 @@ TEST_CASE("proofs: every statement that should hold is proved, every wrong one r
   CHECK_THAT(table, Catch::Contains("not an identity"));
 }
 
-TEST_CASE("prove: the program prints the ledger, and with --json each statement with its verdict") {
-  const ProgramResult table = lubjoint_program({"prove"}, {.seconds = 300});
+TEST_CASE("prove: --json has each statement of the ledger with its verdict") {
   const ProgramResult result = lubjoint_program({"prove", "--json"}, {.seconds = 300});
-  CHECK(table.status == 0);
   CHECK(result.status == 0);
   const auto ledger = nlohmann::json::parse(result.out);
   CHECK(ledger["closes"] == true);
@@ -64,7 +62,6 @@ TEST_CASE("prove: the program prints the ledger, and with --json each statement 
     CHECK(statement["should_hold"] == (statement["expected"] == "holds"));
     CHECK_FALSE(statement["verdict"].get<std::string>().empty());
     expectations.insert(statement["expected"]);
-    CHECK_THAT(table.out, Catch::Contains(all[i].text));
   }
   CHECK(expectations == std::set<std::string>{"holds", "wrong", "not an identity"});
 }
