@@ -205,7 +205,7 @@ TEST_CASE("verify: --json of a trajectory has the verdict, each quantity with it
   CHECK(agreeing["scene"] == "journal");
   CHECK(agreeing["law"] == "pinkus_sternlicht");
   CHECK(agreeing["mistakes"].empty());
-  CHECK(agreeing["golden"]["worst"] < 1e-6);  // journal.csv of the golden data: 9 digits at least
+  CHECK(agreeing["golden"]["worst"] < 1e-7);  // our own run at 1e-11; in a stiff film forces lose some digits more
   for (const auto& quantity : agreeing["quantities"]) {
     INFO(quantity.dump());
     CHECK(quantity["agrees"] == true);
