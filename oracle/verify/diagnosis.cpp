@@ -118,8 +118,8 @@ class Search {
   Search(const Judgement& judgement, const std::vector<State>& states, const Answers& answers, double precision)
       : matcher_(judgement, states, answers, precision),
         precision_(precision),
-        failing_(thinned(matcher_.failing(), 400)),
-        passing_(thinned(matcher_.passing(), 400)),
+        failing_(thinned(matcher_.failing(), 200)),
+        passing_(thinned(matcher_.passing(), 300)),
         known_(mistakes_for(judgement.quantities, judgement.law)) {
     for (const std::size_t i : thinned(failing_, 24)) few_.push_back(i);
     for (const std::size_t i : thinned(passing_, 12)) few_.push_back(i);

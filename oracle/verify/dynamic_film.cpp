@@ -41,12 +41,14 @@ class SommerfeldFilm {
     const Real half = std::atan2(root_q, -film.ratio * sine_s);
     amplitude = std::sqrt(q + square(film.ratio * sine_s));
     to_theta = 1 / (q * q * root_q);
+    const Real middle = (begin + half) / 2;  // ψ/2 there
+    const Real sine_m = std::sin(middle), cosine_m = std::cos(middle), sine_h = std::sin(half / 2);
     for (std::size_t i = 0; i < pairs; ++i) {
-      const Real x = Rule::abscissa()[i], weight = half * Rule::weights()[i];
-      const Real ends = std::sin(half * (1 + x) / 2) * std::sin(half * (1 - x) / 2);
-      for (const Real side : {-x, x}) {
-        const Real psi = begin + half * (1 + side);
-        const Real s = std::sin(psi / 2), c = std::cos(psi / 2);
+      const Real x = half * Rule::abscissa()[i] / 2, weight = half * Rule::weights()[i];
+      const Real sine_x = std::sin(x), cosine_x = std::cos(x);
+      const Real ends = (sine_h - sine_x) * (sine_h + sine_x);
+      for (const Real side : {-sine_x, sine_x}) {
+        const Real s = sine_m * cosine_x + cosine_m * side, c = cosine_m * cosine_x - sine_m * side;
         nodes[2 * i + (side < 0 ? 0 : 1)] = {weight,
                                              ends,
                                              2 * root_q * s * c,

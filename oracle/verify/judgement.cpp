@@ -27,7 +27,8 @@ Real slip_terms(const Solution& s) {
 /// what the cosine of a right angle is in its arithmetic.
 bool slip_rate_is_exactly_zero(const Solution& s) {
   if (is_polar(s.quantities)) return s.spin_part == 0 && s.attitude_part == 0;
-  return s.omega_bearing + s.omega_journal == 0 && s.e.y() == 0 && s.v.y() == 0 && s.e.x() >= 0 && s.v.x() * s.e.x() != 0;
+  return s.omega_bearing + s.omega_journal == 0 && s.e.y() == 0 && s.v.y() == 0 && s.e.x() >= 0 &&
+         s.v.x() * s.e.x() != 0;
 }
 
 /// Sizes of a state's numbers, and how far it is from a jump of the law.

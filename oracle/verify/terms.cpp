@@ -247,6 +247,7 @@ Term judge_term(Component component, MotionKind kind, const std::vector<Number>&
   Term term;
   for (const double precision : {0.0, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     term = judge_term_at(component, kind, numbers, precision);
+    term.precision = precision;
     if (term.verdict != TermVerdict::wrong) break;
   }
   return term;
@@ -257,7 +258,7 @@ Term judge_term(Component component, MotionKind kind, const std::vector<Number>&
 std::string Term::words() const {
   switch (verdict) {
     case TermVerdict::right:
-      return fmt::format("right, to {:.0f} digits", std::floor(digits));
+      return precision == 0 ? "right" : fmt::format("right, to {:.0f} digits", std::floor(digits));
     case TermVerdict::absent:
       return "absent";
     case TermVerdict::factor:

@@ -26,6 +26,7 @@ struct Term {
   Component component = Component::radial;
   MotionKind states = MotionKind::wedge;
   TermVerdict verdict = TermVerdict::undecided;  ///< undecided: too few states, or on the jump of a half film
+  double precision = 0;                          ///< error over |F| at which this holds; 0: rounding
   double digits = 0;                             ///< that nineteen states in twenty agree to, over |F|
   std::optional<double> factor = {};             ///< of what it should be, where that is a number
   std::string factor_text = {};                  ///< the number or ratio of inputs in words; may be empty
