@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "oracle/mechanisms/implicit_extrapolation.hpp"
 #include "oracle/mechanisms/journal_films.hpp"
+#include "oracle/mechanisms/lobatto.hpp"
 
 namespace lubjoint::mechanisms {
 
@@ -122,7 +122,7 @@ class FreeJournalMotion {
     FreeJournalRun<R> run;
     try {
       integrate(times, max_steps, run);
-    } catch (const ExtrapolationError& error) {
+    } catch (const IntegrationError& error) {
       run.stopped = error.what();
     } catch (const std::domain_error& error) {
       run.stopped = error.what();
@@ -698,10 +698,12 @@ class FreeJournalMotion {
       const State y_old = y;
       const std::vector<Margin> first = margins(t, y);
       const R tried = dt;
-      method_.step(*this, t, y, dt);
-      if (last && t - t_old == tried) {
+      const R made = method_.step(*this, t, y, dt);
+      if (last && made == tried) {
         t = goal;
         dt = std::max<R>(dt, wanted);
+      } else {
+        t += made;
       }
       if (settling) {
         settling = false;
@@ -730,7 +732,7 @@ class FreeJournalMotion {
 
   FreeJournalCase<R> c_;
   R tolerance_;
-  ImplicitExtrapolation<R, 6> method_;
+  Lobatto<R, 6> method_;
   R scale_;
   R in_film_;  ///< c over the film's clearance
   R inertia_;  ///< mc
