@@ -34,6 +34,25 @@ struct BearingWall {
   R slow_sliding = R(1);  ///< s₀, sliding speed below which friction fades [m/s]
 };
 
+/// Young's modulus [Pa] and Poisson's ratio of a surface.
+template <class R>
+struct WallElasticity {
+  R modulus;
+  R poisson;
+};
+
+/// Hertz's stiffness of a sphere of radius R_J in a spherical seat of R_J + c: K = (4/3) E* √R*, with
+/// 1/R* = 1/R_J − 1/(R_J + c) and 1/E* the sum of (1 − ν²)/E [N/m^{3/2}].
+template <class R>
+R seat_stiffness(const R& journal_radius, const R& clearance, const WallElasticity<R>& bearing,
+                 const WallElasticity<R>& journal) {
+  using std::sqrt;
+  const R curvature = 1 / journal_radius - 1 / (journal_radius + clearance);
+  const R compliance = (1 - bearing.poisson * bearing.poisson) / bearing.modulus +
+                       (1 - journal.poisson * journal.poisson) / journal.modulus;
+  return 4 / (3 * compliance * sqrt(curvature));
+}
+
 /// Everything about a journal but its film's law.
 template <class R>
 struct FreeJournalCase {
