@@ -10,6 +10,7 @@
 #include "oracle/mechanisms/free_journal.hpp"
 #include "oracle/mechanisms/slider_crank_loop.hpp"
 #include "oracle/reports/slider_crank_scene.hpp"
+#include "oracle/reports/trajectories/free_journal_scene.hpp"
 
 namespace lubjoint::reports {
 
@@ -23,48 +24,8 @@ constexpr double tolerance = 1e-13;
 
 // The journal.
 
-mechanisms::FreeJournalCase<R> journal_of(const Scene& scene) {
-  const SceneBody& body = scene.bodies.at(0);
-  const SceneJoint& joint = scene.joints.at(0);
-  mechanisms::FreeJournalCase<R> journal{R(joint.length), R(joint.journal_radius), R(joint.clearance),
-                                         R(joint.viscosity), R(body.mass)};
-  for (Eigen::Index i = 0; i < 2; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    journal.load[k] = R(body.mass) * R(scene.gravity(i));
-    for (const SceneLoad& load : scene.loads) journal.load[k] += R(load.force(i));
-    journal.eccentricity[k] = R(body.position(i)) / R(joint.clearance);
-    journal.velocity[k] = R(body.velocity(i)) / R(joint.clearance);
-  }
-  journal.spin = R(body.spin);
-  if (!joint.contact) return journal;
-  const SceneContact& contact = *joint.contact;
-  mechanisms::BearingWall<R> wall;
-  wall.stiffness = mechanisms::seat_stiffness<R>(R(joint.journal_radius), R(joint.clearance),
-                                                 {R(contact.bearing_modulus), R(contact.bearing_poisson)},
-                                                 {R(contact.journal_modulus), R(contact.journal_poisson)});
-  wall.restitution = R(contact.restitution);
-  wall.min_impact_speed = R(contact.min_impact_speed);
-  wall.blend = R(joint.transition->e0);
-  wall.widening = R(joint.transition->e1);
-  wall.friction = R(contact.friction);
-  wall.slow_sliding = R(contact.slow_sliding);
-  journal.wall = wall;
-  if (contact.friction > 0) journal.inertia = R(body.inertia);
-  return journal;
-}
-
-/// A journal alone in a bearing on the ground, with a film; journal and bearing at the origin of body and ground.
-bool is_journal(const Scene& scene) {
-  if (scene.bodies.size() != 1 || scene.joints.size() != 1 || !scene.constraints.empty()) return false;
-  const SceneJoint& joint = scene.joints[0];
-  const bool moments =
-      std::any_of(scene.loads.begin(), scene.loads.end(), [](const SceneLoad& load) { return load.moment != 0; });
-  return !joint.bearing.body && joint.journal.body && is_zero(joint.bearing.point) && is_zero(joint.journal.point) &&
-         joint.film != no_film && !moments && joint.contact.has_value() == joint.transition.has_value();
-}
-
 Values journal_rows(const Scene& scene, const std::string& law, const std::vector<double>& times, double step_error) {
-  const mechanisms::FreeJournalCase<R> journal = journal_of(scene);
+  const mechanisms::FreeJournalCase<R> journal = free_journal_case<R>(scene);
   const bool velocities = is_free_journal(scene);
   const std::vector<R> at(times.begin(), times.end());
   const auto run = with_film_law(law, [&]<class Law>() {
@@ -234,7 +195,7 @@ TrajectoryColumns columns_of(const Scene& scene) {
 
 SecondDerivation second_derivation(const Scene& scene, const std::string& law, const std::vector<double>& times) {
   const TrajectoryColumns columns = columns_of(scene);
-  if (is_journal(scene)) {
+  if (is_lone_journal(scene)) {
     const std::string& film = law.empty() ? scene.joints[0].film : law;
     return twice("turning frame, Lobatto IIIC", columns,
                  [&](double error) { return journal_rows(scene, film, times, error); });
