@@ -112,14 +112,14 @@ std::vector<GoldenTrajectory> golden_trajectories(const fs::path& scenes) {
     const std::string name = file.stem().string();
     if (!is_free_journal(scene)) {
       trajectories.push_back({name + ".csv", scene.run.duration, [scene] { return multibody_reference(scene); },
-                              [scene](const CsvTable& file) { return second_agreement(scene, "", file); }});
+                              [scene](const CsvTable& table) { return second_agreement(scene, "", table); }});
       continue;
     }
     for (const std::string_view law : film_law_names) {
       trajectories.push_back(
           {name + "-" + std::string(law) + ".csv", scene.run.duration,
            [law, journal = journal_case(scene)] { return journal_reference(std::string(law), journal); },
-           [law, scene](const CsvTable& file) { return second_agreement(scene, std::string(law), file); }});
+           [law, scene](const CsvTable& table) { return second_agreement(scene, std::string(law), table); }});
     }
   }
   return trajectories;
