@@ -4,15 +4,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <stdexcept>
+
+#include "oracle/mechanisms/processor_time.hpp"
 
 namespace lubjoint::mechanisms {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The joint between the rod's end and the slider's centre.
 class PinForce final : public SimTK::Force::Custom::Implementation {
@@ -36,7 +35,7 @@ class PinForce final : public SimTK::Force::Custom::Implementation {
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies, SimTK::Vector_<SimTK::Vec3>&,
                  SimTK::Vector&) const override {
-    if (++calls_ % 256 == 0 && Clock::now() > deadline_) out_of_time_ = true;
+    if (++calls_ % 256 == 0 && processor_seconds() > deadline_) out_of_time_ = true;
     if (out_of_time_) throw std::runtime_error("out of time");
     const std::array<double, 2> on_journal = problem_.force(pin(state));
     const double sign = problem_.bearing_on_rod ? 1 : -1;
@@ -52,7 +51,7 @@ class PinForce final : public SimTK::Force::Custom::Implementation {
 
   void start_clock(double seconds) {
     out_of_time_ = false;
-    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    deadline_ = processor_seconds() + seconds;
   }
   bool is_out_of_time() const { return out_of_time_; }
 
@@ -61,7 +60,7 @@ class PinForce final : public SimTK::Force::Custom::Implementation {
   const SimTK::MobilizedBody& rod_;
   const SimTK::MobilizedBody& slider_;
   SimTK::Vec3 rod_end_;
-  Clock::time_point deadline_;
+  double deadline_ = 0;  ///< in processor_seconds()
   mutable std::size_t calls_ = 0;
   mutable bool out_of_time_ = false;
 };
@@ -145,7 +144,7 @@ SimbodyRun SimbodyEngine::run(double accuracy, double duration, const std::vecto
   parts.pin->start_clock(seconds);
   const int before = parts.system.getNumRealizationsOfThisStage(SimTK::Stage::Acceleration);
   const Silence silence;
-  const auto begin = Clock::now();
+  const double begin = processor_seconds();
   try {
     stepper.initialize(parts.start);
     for (const double goal : goals) {
@@ -159,7 +158,7 @@ SimbodyRun SimbodyEngine::run(double accuracy, double duration, const std::vecto
     result.out_of_time = parts.pin->is_out_of_time();
     result.message = "Simbody stopped at " + std::to_string(stepper.getTime()) + " s";
   }
-  result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  result.seconds = processor_seconds() - begin;
   result.steps = static_cast<std::size_t>(stepper.getNumStepsTaken());
   result.rejected = static_cast<std::size_t>(stepper.getNumErrorTestFailures());
   result.evaluations =

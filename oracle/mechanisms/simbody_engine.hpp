@@ -29,10 +29,10 @@ struct SimbodyProblem {
   double rod_mass;
   double rod_inertia;
   double slider_mass;
-  double crank_speed;      ///< [rad/s]
-  double start_rod_spin;   ///< absolute [rad/s]
-  double start_slider;     ///< distance from the origin [m]
-  bool bearing_on_rod;     ///< the journal on the slider, or the other way round
+  double crank_speed;     ///< [rad/s]
+  double start_rod_spin;  ///< absolute [rad/s]
+  double start_slider;    ///< distance from the origin [m]
+  bool bearing_on_rod;    ///< the journal on the slider, or the other way round
   /// Force on the journal [N]. It may throw where it has none: the step is then tried again, shorter.
   std::function<std::array<double, 2>(const SimbodyPin&)> force;
 };
@@ -40,13 +40,13 @@ struct SimbodyProblem {
 /// A run of Simbody's integrator.
 struct SimbodyRun {
   bool finished = false;
-  bool out_of_time = false;       ///< it was given up
-  std::string message;            ///< why it stopped otherwise
-  std::vector<SimbodyPin> pins;   ///< at the times that were asked for
-  double seconds = 0;             ///< of the integration alone
+  bool out_of_time = false;      ///< it was given up
+  std::string message;           ///< why it stopped otherwise
+  std::vector<SimbodyPin> pins;  ///< at the times that were asked for
+  double seconds = 0;            ///< of processor time, the integration alone
   std::size_t steps = 0;
-  std::size_t rejected = 0;       ///< steps that failed the error test
-  std::size_t evaluations = 0;    ///< of all accelerations
+  std::size_t rejected = 0;     ///< steps that failed the error test
+  std::size_t evaluations = 0;  ///< of all accelerations
 };
 
 /// Crank (Pin on the ground), rod (Pin on the crank) and slider (Slider on the ground), the joint between the last two
@@ -63,7 +63,7 @@ class SimbodyEngine {
   /// @param accuracy  Simbody's only tolerance, the same for all states
   /// @param duration  [s]
   /// @param times     to be looked at, ascending; none: only the end is reached, for its run time
-  /// @param seconds   after which the run is given up
+  /// @param seconds   of processor time after which the run is given up
   SimbodyRun run(double accuracy, double duration, const std::vector<double>& times, double seconds);
 
  private:

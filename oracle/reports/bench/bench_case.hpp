@@ -18,7 +18,7 @@ struct MethodRun {
   bool finished = false;
   std::string message;  ///< why it stopped
   double error = 0;     ///< largest distance from the reference at its times, see Reference
-  double seconds = 0;   ///< median of the repeats, integration alone
+  double seconds = 0;   ///< processor time: median of the repeats, integration alone
   double spread = 0;    ///< of the repeats: between their quartiles, over the median
   std::size_t steps = 0;
   std::size_t rejected = 0;
@@ -33,7 +33,7 @@ inline constexpr std::string_view out_of_time = "given up after its share of tim
 /// When a run is given up.
 struct BenchLimits {
   int repeats = 9;
-  double seconds = 1;  ///< of one run, and of the repeats from the third on
+  double seconds = 1;  ///< of processor time: of one run, and of the repeats from the third on
 };
 
 /// The integrators that are raced: those of the library, SUNDIALS' and Simbody's if they were built in.
@@ -49,7 +49,7 @@ struct PlainProblem {
   std::vector<double> absolute_tolerance;  ///< of each state
   double relative_tolerance = 0;
   double duration = 0;
-  bool second_order = false;   ///< y = (q, q̇), and the Jacobian's upper half is [0 I]
+  bool second_order = false;  ///< y = (q, q̇), and the Jacobian's upper half is [0 I]
   std::vector<double> times;  ///< to observe; none: when it is timed
   std::function<void(double t, const double* y, double* dydt)> rate;  ///< std::domain_error: the step is too long
   std::function<void(double t, const double* y, double* jacobian)> jacobian;  ///< ∂f/∂y column by column, likewise

@@ -86,8 +86,10 @@ std::string wins(const std::vector<RaceVerdict>& verdicts) {
 
 std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vector<BenchReference>& references) {
   std::string text =
-      "Milliseconds to reach an error, between tolerances on a log-log line; integration alone, medians. The error is\n"
-      "the largest |e - e_ref|/c at the reference's times, or with ideal joints of a position over the mechanism's size "
+      "Milliseconds to reach an error, between tolerances on a log-log line; processor time of the integration alone, "
+      "medians. The\n"
+      "error is the largest |e - e_ref|/c at the reference's times, or with ideal joints of a position over the "
+      "mechanism's size "
       "and\nof an angle. Radau x: how many times as long as radau_iia5. -: does not get there, or was not run.\n";
   std::string scene;
   for (const Race& race : races(rows)) {
@@ -146,7 +148,8 @@ std::string with_bench_block(std::string_view text, const std::string& block) {
   const std::size_t begin = text.find(bench_block_begin);
   const std::size_t end = text.find(bench_block_end);
   const bool once = begin != text.npos && end != text.npos && begin < end &&
-                    text.find(bench_block_begin, begin + 1) == text.npos && text.find(bench_block_end, end + 1) == text.npos;
+                    text.find(bench_block_begin, begin + 1) == text.npos &&
+                    text.find(bench_block_end, end + 1) == text.npos;
   if (!once) {
     throw std::invalid_argument("the marks of the table are missing or there twice; allowed is a text with the lines " +
                                 std::string(bench_block_begin.substr(0, bench_block_begin.size() - 1)) + " and " +

@@ -9,8 +9,8 @@
 
 namespace lubjoint::reports {
 
-/// By race: each integrator's times at equal error, its least error, and how many times as long as Radau IIA(5) it takes;
-/// then the fastest of all and what to use.
+/// By race: each integrator's times at equal error, its least error, and how many times as long as Radau IIA(5) it
+/// takes; then the fastest of all and what to use.
 /// @param references  of the scenes, as far as they are known
 std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vector<BenchReference>& references = {});
 

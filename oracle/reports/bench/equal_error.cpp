@@ -33,7 +33,8 @@ std::vector<Race> races(const std::vector<BenchRow>& rows) {
 std::vector<std::string> integrators_of(const std::vector<BenchRow>& rows, const Race& race) {
   std::vector<std::string> names;
   for (const BenchRow& row : rows) {
-    if (is_of_race(row, race) && std::ranges::find(names, row.integrator) == names.end()) names.push_back(row.integrator);
+    if (is_of_race(row, race) && std::ranges::find(names, row.integrator) == names.end())
+      names.push_back(row.integrator);
   }
   return names;
 }
@@ -59,10 +60,12 @@ std::optional<Contender> time_at_error(const std::vector<BenchRow>& rows, const 
     const MethodRun& run = row->run;
     if (run.error <= error) {
       consider(run.seconds, run.spread);
-      const bool logarithms = before && before->error > error && run.error > 0 && run.seconds > 0 && before->seconds > 0;
+      const bool logarithms =
+          before && before->error > error && run.error > 0 && run.seconds > 0 && before->seconds > 0;
       if (logarithms) {
         const double share = std::log(before->error / error) / std::log(before->error / run.error);
-        consider(before->seconds * std::pow(run.seconds / before->seconds, share), std::max(before->spread, run.spread));
+        consider(before->seconds * std::pow(run.seconds / before->seconds, share),
+                 std::max(before->spread, run.spread));
       }
     }
     before = &run;
@@ -120,7 +123,7 @@ std::string recommendation(const RaceVerdict& verdict) {
   if (!own.empty()) return own;
   const Contender& first = verdict.order.front();
   const auto best = verdict.fastest(Camp::own);
-  if (!best) return first.integrator + "; none of lubjoint's own reaches it";
+  if (!best) return first.integrator + "; none of lubjoint's own ran and reaches it";
   return fmt::format("{}; of lubjoint's own {}, {:.1f} times as long", first.integrator, best->integrator,
                      best->seconds / first.seconds);
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lubjoint/scene/simulate.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/data_folder.hpp"
 #include "oracle/reports/files.hpp"

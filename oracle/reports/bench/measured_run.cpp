@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <chrono>
 
+#include "oracle/mechanisms/processor_time.hpp"
 #include "oracle/reports/bench/bench_case.hpp"
 
 namespace lubjoint::reports {
 
 MethodRun measured_run(const BenchLimits& limits, const Reference& reference,
                        const std::function<MethodRun(Reference* seen)>& once) {
-  using Clock = std::chrono::steady_clock;
   Reference seen;
   MethodRun result = once(&seen);
   if (!result.finished) return result;
@@ -20,13 +19,13 @@ MethodRun measured_run(const BenchLimits& limits, const Reference& reference,
     result.error = std::max(result.error, (seen[i] - reference[i]).norm());
   }
   std::vector<double> seconds;
-  const auto begin = Clock::now();
+  const double begin = mechanisms::processor_seconds();
   for (int i = 0; i < limits.repeats; ++i) {
     MethodRun timed = once(nullptr);
     if (!timed.finished) return timed;  // at the edge of its share of time: no time of it is known
     seconds.push_back(timed.seconds);
     result.rhs_evaluations = timed.rhs_evaluations;
-    if (i >= 2 && std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds) break;
+    if (i >= 2 && mechanisms::processor_seconds() - begin > limits.seconds) break;
   }
   std::sort(seconds.begin(), seconds.end());
   const std::size_t last = seconds.size() - 1;

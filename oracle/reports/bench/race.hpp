@@ -2,13 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/dynamics/step_interpolant.hpp"
+#include "oracle/mechanisms/processor_time.hpp"
 #include "oracle/reports/bench/bench_case.hpp"
 #include "oracle/reports/bench/sundials_method.hpp"
 
@@ -22,9 +22,9 @@ class RaceProblem : public OdeSystem<double, N> {
 
   virtual State start() const = 0;
   virtual StepTolerance<double, N> tolerance(double relative) const = 0;
-  virtual bool is_admissible(double t, const State& y) = 0;           ///< a film exists, every number is one
+  virtual bool is_admissible(double t, const State& y) = 0;          ///< a film exists, every number is one
   virtual void look(double t, const State& y, Reference& seen) = 0;  ///< adds what errors are measured in
-  virtual std::size_t positions() const = 0;                          ///< of the states, the first ones
+  virtual std::size_t positions() const = 0;                         ///< of the states, the first ones
   virtual std::size_t evaluations() const = 0;
 };
 
@@ -52,8 +52,7 @@ class RaceCase final : public BenchCase {
   }
 
   MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) override {
-    return measured_run(limits, reference_,
-                        [&](Reference* seen) { return once(method, tolerance, limits, seen); });
+    return measured_run(limits, reference_, [&](Reference* seen) { return once(method, tolerance, limits, seen); });
   }
 
   std::optional<PlainProblem> plain_problem(double tolerance) override {
@@ -80,8 +79,6 @@ class RaceCase final : public BenchCase {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   static JacobianOf<double, N> empty_jacobian(std::size_t n) {
     JacobianOf<double, N> j;
     if constexpr (N == run_time_size) j.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
@@ -124,8 +121,8 @@ class RaceCase final : public BenchCase {
       problem_->rate(y, step.rate_new, t);
     }
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
-    const auto begin = Clock::now();
-    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    const double begin = mechanisms::processor_seconds();
+    const auto elapsed = [&] { return mechanisms::processor_seconds() - begin; };
     const auto integrator = make_integrator<N>(method, problem_->tolerance(tolerance));
     State y_old = y;
     while (duration_ - t > shortest * duration_) {

@@ -10,10 +10,10 @@ namespace {
 mechanisms::SimbodyProblem problem_of(const Scene& scene) {
   const SceneJoint& joint = scene.joints.at(0);
   const bool on_rod = joint.bearing.body && scene.bodies[*joint.bearing.body].name == "rod";
-  return mechanisms::simbody_slider_crank(
-      mechanism_of<double>(scene), crank_speed_of(scene),
-      Bearing<double>(joint.length, joint.journal_radius, joint.clearance), Lubricant<double>(joint.viscosity),
-      on_rod ? mechanisms::BearingOn::rod : mechanisms::BearingOn::slider);
+  return mechanisms::simbody_slider_crank(mechanism_of<double>(scene), crank_speed_of(scene),
+                                          Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
+                                          Lubricant<double>(joint.viscosity),
+                                          on_rod ? mechanisms::BearingOn::rod : mechanisms::BearingOn::slider);
 }
 
 class SimbodyCase final : public BenchCase {

@@ -10,8 +10,9 @@
 namespace lubjoint::reports {
 
 /// cvode_bdf, cvode_adams, cvode_adams_newton and ida. Each gets what Radau gets: a tolerance for each state, and
-/// (Adams by fixed-point iteration aside) Newton's method with the exact Jacobian and the linear systems of equations
-/// of motion at half their size. The rest are SUNDIALS' defaults. Empty if SUNDIALS was not built in.
+/// (Adams by fixed-point iteration aside) Newton's method with the exact Jacobian and dense linear systems, those of
+/// equations of motion with more than four states at half their size. The rest are SUNDIALS' defaults. Empty if
+/// SUNDIALS was not built in.
 std::vector<std::string_view> sundials_methods();
 
 inline bool is_sundials_method(std::string_view name) { return name.starts_with("cvode") || name == "ida"; }

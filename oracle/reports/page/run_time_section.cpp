@@ -41,8 +41,8 @@ std::string fastest_table(const std::vector<BenchRow>& rows) {
     for (const double error : judged_errors) {
       const RaceVerdict verdict = judge_race(rows, race, error);
       table.row({race.scene, race.formulation, scientific(error, 0), milliseconds(verdict.of("radau_iia5")),
-                 fastest_of(verdict, Camp::own), fastest_of(verdict, Camp::sundials), milliseconds(verdict.fastest(Camp::simbody)),
-                 joined(verdict.winners()), recommendation(verdict)});
+                 fastest_of(verdict, Camp::own), fastest_of(verdict, Camp::sundials),
+                 milliseconds(verdict.fastest(Camp::simbody)), joined(verdict.winners()), recommendation(verdict)});
     }
   }
   return table.html();
