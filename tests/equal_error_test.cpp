@@ -186,7 +186,11 @@ TEST_CASE("bench block: one command writes the README's table from the rows that
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"bench", "scenes", "--readme", "README.md"},
                                                 {"bench", "--data", measured},
                                                 {"bench", "scenes", "--data", measured, "--quick"},
-                                                {"bench", "scenes", "--data", measured, "--integrator", "dopri5"}}) {
+                                                {"bench", "scenes", "--data", measured, "--integrator", "dopri5"},
+                                                {"bench", "scenes", "--repeats", "0"},
+                                                {"bench", "scenes", "--seconds", "-1"},
+                                                {"bench", "laws", "--repeats", "3"},
+                                                {"bench", "laws", "--integrator", "dopri5"}}) {
     const ProgramResult refused = lubjoint_program(wrong);
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, Contains("allowed"));
