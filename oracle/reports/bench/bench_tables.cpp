@@ -15,7 +15,10 @@ namespace {
 
 constexpr std::string_view own_default = "radau_iia5";
 
-std::string milliseconds(double seconds) { return fmt::format("{:.2g}", 1e3 * seconds); }
+/// Two digits, and no exponent.
+std::string brief(double value) { return value < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value); }
+
+std::string milliseconds(double seconds) { return brief(1e3 * seconds); }
 
 std::string milliseconds(const std::optional<Contender>& contender) {
   return contender ? milliseconds(contender->seconds) : "-";
@@ -23,7 +26,7 @@ std::string milliseconds(const std::optional<Contender>& contender) {
 
 /// How many times as long as another one; a dash unless both are there.
 std::string times_as_long(const std::optional<Contender>& one, const std::optional<Contender>& other) {
-  return one && other ? fmt::format("{:.2g}", one->seconds / other->seconds) : "-";
+  return one && other ? brief(one->seconds / other->seconds) : "-";
 }
 
 std::string reference_words(const BenchReference& reference) {
