@@ -201,20 +201,25 @@ TEST_CASE("report: run times and stability are carried as they were given") {
   CHECK(count(stability, "title=\"finished") + count(stability, "title=\"stopped") == content.stability->rows.size());
 }
 
-TEST_CASE("report: the fastest integrator within an error is that of the data") {
+TEST_CASE("report: the fastest integrator at equal error is that of the data") {
   page::Content content = quick_page_content();
   content.run_times = page::read_run_times(
       "scene,formulation,integrator,tolerance,error,seconds,steps,rejected,rhs_evaluations,jacobian_evaluations,"
       "factorisations,status,message\n"
-      "s,journal,slow,1e-6,1e-8,0.5,1,0,1,0,0,finished,\n"
-      "s,journal,quick,1e-6,2e-3,0.001,1,0,1,0,0,finished,\n"
-      "s,journal,middle,1e-6,5e-7,0.002,1,0,1,0,0,finished,\n"
-      "s,journal,lost,1e-6,,0.0001,1,0,1,,,stopped,gave up\n",
+      "s,journal,radau_iia5,1e-6,1e-5,0.5,1,0,1,0,0,finished,\n"
+      "s,journal,bulirsch_stoer,1e-6,2e-3,0.001,1,0,1,0,0,finished,\n"
+      "s,journal,cvode_adams,1e-6,1e-5,0.002,1,0,1,0,0,finished,\n"
+      "s,journal,dopri5,1e-6,1e-5,0.003,1,0,1,0,0,finished,\n"
+      "s,journal,ida,1e-6,,0.0001,1,0,1,,,stopped,gave up\n",
       "table");
+  content.run_times->measured_by = "a program & <a machine>";
   const std::string words = section(page_of(content), "run-time");
-  CHECK_THAT(words, Contains("<th scope=\"row\">s</th><td>journal</td><td>middle, 2 ms</td><td>middle, 2 ms</td>"
-                             "<td>none</td>"));
+  CHECK_THAT(words,
+             Contains("<td>500 ms</td><td>dopri5, 3 ms</td><td>cvode_adams, 2 ms</td><td>–</td>"
+                      "<td>cvode_adams</td><td>cvode_adams; of lubjoint&#39;s own dopri5, 1.5 times as long</td>"));
+  CHECK_THAT(words, Contains("<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td><td>none reaches it</td>"));
   CHECK_THAT(words, Contains("stopped: gave up"));
+  CHECK_THAT(words, Contains("Measured by a program &amp; &lt;a machine&gt;."));
 }
 
 TEST_CASE("report: text of others is text, not HTML") {
