@@ -184,11 +184,12 @@ std::vector<Check> rate_checks(const std::optional<MotionRate>& motion, std::com
   const double rate = motion ? motion->rate / eigenvalue.real() - 1 : none;
   const double frequency = motion ? motion->frequency / std::abs(eigenvalue.imag()) - 1 : none;
   const char* against = "the leading eigenvalue; measured on a run from 1e-3 c off the equilibrium";
-  return {Check::at_most(
-              names[0], against, rate, 1e-3, "",
-              "the law is linear to the first power of the distance: 1e-4 c and less where it decays; where it hardly "
-              "does either, each turn errs alike, and 1e-6, the square of the distance, is left"),
-          Check::at_most(names[1], against, frequency, 1e-3, "", "as the rate")};
+  return {
+      Check::at_most(
+          names[0], against, rate, 1e-3, "",
+          "a law is linear up to the square of the distance: where the motion decays it is measured from 1e-4 c on; "
+          "where it hardly does, every turn from 1e-3 c errs alike"),
+      Check::at_most(names[1], against, frequency, 1e-3, "", "as the rate")};
 }
 
 Check behaviour_check(Behaviour found, std::complex<double> eigenvalue, double duration) {

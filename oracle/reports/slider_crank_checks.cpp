@@ -108,7 +108,7 @@ std::vector<Check> compare_with_minimal_coordinates(const Scene& scene, const Mu
                                             time_difference(joint.force.t, peaks.force.t, turn),
                                             time_difference(driver.max_moment.t, peaks.max_moment.t, turn),
                                             time_difference(driver.min_moment.t, peaks.min_moment.t, turn)}),
-                                  2e-6, "s",
+                                  6e-7, "s",
                                   "a peak is flat: known to 1e-7, it is placed to 3e-4 of a radian of the crank, 6e-7 "
                                   "s; in either turn, as the second may repeat the first"));
   return checks;
