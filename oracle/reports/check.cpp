@@ -175,7 +175,7 @@ std::vector<CheckSummary> summary_of_checks(const std::vector<const Verdict*>& v
 std::string check_legend(const std::vector<const Verdict*>& verdicts) {
   std::string text;
   for (const CheckSummary& line : summary_of_checks(verdicts)) {
-    std::string words = line.letter + "  " + line.what;
+    std::string words = line.what;
     if (line.passed + line.failed > 0) words += ", against " + line.against;
     if (line.largest != dash) {
       words += fmt::format(": at most {}; allowed {}, {}", line.largest, line.allowed, line.reason);
@@ -185,7 +185,7 @@ std::string check_legend(const std::vector<const Verdict*>& verdicts) {
     if (line.not_checked > 0 && line.passed + line.failed > 0) {
       words += fmt::format(" (not checked for {} of {})", line.not_checked, verdicts.size());
     }
-    text += wrapped(words, 118, 3);
+    text += line.letter + "  " + wrapped(words, 115, 3);
   }
   return text;
 }

@@ -20,12 +20,18 @@ std::string rate_words(const std::optional<MotionRate>& motion) {
 }  // namespace
 
 Section equilibrium_section(const Content& content) {
-  const std::vector<Column> of_rest = {{"law", {}, false},          {"the paper", {}, false},
-                                       {"here", {}, false},         {"verdict", {}, false},
-                                       {"ε at rest", "–"},          {"attitude", "°"},
-                                       {"largest ε", "–"},          {"leading eigenvalue", "1/s"},
-                                       {"displacement", {}, false}, {"rate from 10⁻³ c off", "1/s"},
-                                       {"rate from rest", "1/s"},   {"distance after 3 × the run", "c"}};
+  const std::vector<Column> of_rest = {{"law", {}, false},
+                                       {"the paper", {}, false},
+                                       {"here", {}, false},
+                                       {"verdict", {}, false},
+                                       {"ε at rest", "–"},
+                                       {"leading eigenvalue", "1/s"},
+                                       {"rate from 10⁻³ c off", "1/s"},
+                                       {"rate from rest", "1/s"},
+                                       {"largest ε", "–"},
+                                       {"attitude", "°"},
+                                       {"displacement", {}, false},
+                                       {"distance after 3 × the run", "c"}};
   Table rest("Equilibrium under the load of example 1, and its stability", of_rest);
   std::vector<Column> of_matrices = {{"law", {}, false}};
   for (const char* name : {"Kxx", "Kxy", "Kyx", "Kyy"}) of_matrices.push_back({name, "N/mm"});
@@ -34,10 +40,11 @@ Section equilibrium_section(const Content& content) {
   for (const Example1Law& item : content.journal.laws) {
     const std::complex<double> leading = item.rest.eigenvalues[0];
     rest.row({item.law, item.paper == "-" ? "–" : item.paper, behaviour_word(item.found), agreement(item.verdict),
-              fmt::format("{:.6f}", item.rest.eccentricity_ratio), fmt::format("{:.4f}", degrees * item.rest.attitude),
-              fmt::format("{:.6f}", item.run.max_eccentricity_ratio),
+              fmt::format("{:.6f}", item.rest.eccentricity_ratio),
               fmt::format("{} ± {:.4f} i", rate_words(leading.real()), std::abs(leading.imag())),
-              stability_word(item.rest.stability()), rate_words(item.near_rest), rate_words(item.from_the_start),
+              rate_words(item.near_rest), rate_words(item.from_the_start),
+              fmt::format("{:.6f}", item.run.max_eccentricity_ratio),
+              fmt::format("{:.4f}", degrees * item.rest.attitude), stability_word(item.rest.stability()),
               scientific(item.long_run_distance)});
     std::vector<Cell> cells{item.law};
     for (const Eigen::Matrix2d* matrix : {&item.rest.stiffness, &item.rest.damping}) {

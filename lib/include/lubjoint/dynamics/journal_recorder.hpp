@@ -106,6 +106,7 @@ class JournalRecorder {
         } else {
           // No look beyond a step's end: the value a little inside tells on which side of the end the peak lies.
           const int inside = i == 0 ? 1 : pieces - 1;
+          if (values[static_cast<std::size_t>(inside)] > values[k]) continue;  // the peak is further on
           const double beside = time_of(i) + 1e-3 * (time_of(inside) - time_of(i));
           if (f(beside) > values[k])
             refine(std::min(time_of(i), time_of(inside)), std::max(time_of(i), time_of(inside)), f);
