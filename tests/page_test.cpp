@@ -136,6 +136,7 @@ TEST_CASE("report: figures 9 to 11 and 13 to 21 are drawn, described, and stand 
     const auto found = between(html, "<article id=\"figure-" + std::to_string(number) + "\">", "</article>");
     REQUIRE(found.size() == 1);
     CHECK_THAT(found.front(), Contains("The paper:") && Contains("Here:"));
+    CHECK_THAT(found.front(), Contains("Checked:</span> ") && Contains("(allowed ") && Contains("✓</p>"));
   }
   CHECK(count(html, "aria-label=\"\"") == 0);
 }
@@ -155,15 +156,39 @@ TEST_CASE("report: drawings take the page's colours and fonts") {
 
 TEST_CASE("report: the same content gives the same bytes") { CHECK(page_of(full_content()) == full_page()); }
 
+TEST_CASE("report: each check of a verdict is listed with what it is held against, what is allowed and why") {
+  const page::Content content = full_content();
+  const auto listed = [](const std::string& html, const std::vector<const reports::Verdict*>& verdicts) {
+    for (const reports::CheckSummary& line : reports::summary_of_checks(verdicts)) {
+      INFO(line.what);
+      const std::string row = "<th scope=\"row\">" + line.letter + "</th><td>" + page::escaped(line.what) + "</td><td>";
+      CHECK_THAT(html, Contains(row + page::escaped(line.passed > 0 ? line.against : "–") + "</td>"));
+      CHECK_THAT(html, Contains("<td>" + page::escaped(line.reason) + "</td>"));
+    }
+  };
+  listed(section(full_page(), "equilibrium"), content.journal.verdicts());
+  listed(section(full_page(), "slider-crank"), content.slider_crank.verdicts());
+  listed(section(full_page(), "verdict"), {&content.slider_crank.ideal_verdict});
+  page::Content other = full_content();
+  for (auto& law : other.journal.laws) law.verdict.checks.back() = reports::paper_check(law.found, "-");
+  CHECK_THAT(section(page_of(other), "equilibrium"), Contains("<td>the paper has no such law</td><td>–</td>"));
+}
+
 TEST_CASE("report: the verdict is good when everything agrees, and names what does not") {
   const std::string good = section(full_page(), "verdict");
   CHECK_THAT(good, Contains("class=\"verdict good\"") && Contains("✓ Everything") && !Contains("✗"));
   page::Content content = full_content();
-  content.slider_crank.cases[2].failures.push_back("minimal coordinates differ by 1e-3 clearances");
+  content.slider_crank.cases[2].verdict.checks[1] =
+      reports::Check::at_most("e/c", "minimal coordinates", 1e-3, 1e-8, "c", "steps of 1e-10");
   CHECK_FALSE(content.passed());
   const std::string bad = page_of(content);
   CHECK_THAT(section(bad, "verdict"), Contains("class=\"verdict bad\"") && Contains("✗ 4 of 5 agree"));
-  CHECK_THAT(section(bad, "slider-crank"), Contains("✗ minimal coordinates differ by 1e-3 clearances"));
+  CHECK_THAT(section(bad, "slider-crank"), Contains("✗ e/c: 1.0e-03 c, allowed 1e-08"));
+  CHECK_THAT(section(bad, "slider-crank"), Contains("✗ 1 failed, 4 passed"));
+  CHECK_THAT(section(bad, "slider-crank"), Contains("<p class=\"checked bad\">"));
+  content = full_content();
+  for (auto& law : content.journal.laws) law.verdict.checks.clear();  // nothing was checked: that is no agreement
+  CHECK_FALSE(content.passed());
   content = full_content();
   content.laws.laws[0].quadrature->largest = 1e-3;
   CHECK_FALSE(content.passed());
@@ -225,7 +250,7 @@ TEST_CASE("report: the fastest integrator at equal error is that of the data") {
 TEST_CASE("report: text of others is text, not HTML") {
   page::Content content = full_content();
   const std::string hostile = "<script>alert('x')</script>&\"";
-  content.journal.laws[0].failures.push_back(hostile);
+  content.journal.laws[0].verdict.checks[0] = reports::Check::holds("runs", hostile, false, hostile, hostile);
   content.provenance.machine.emplace_back("name " + hostile, hostile);
   std::string csv = content.stability->csv;
   csv += "case " + hostile + ",l,i,stopped,,1,1,<!-- " + hostile + "\n";
