@@ -120,9 +120,19 @@ class DomainSearch {
     all_outside_ = count_of(outside_, outside_, outside_);
   }
 
+  /// With no state of the others, or where that fails with a few.
   Domain result() {
+    if (all_inside_ == 0 || all_outside_ == 0) return {};
+    tolerated_ = 0;
+    Domain strict = attempt();
+    if (!strict.empty()) return strict;
+    tolerated_ = all_outside_ / 200;
+    return tolerated_ > 0 ? attempt() : strict;
+  }
+
+ private:
+  Domain attempt() const {
     Domain domain;
-    if (all_inside_ == 0 || all_outside_ == 0) return domain;
     Bits left = inside_;
     std::size_t missing = all_inside_;
     while (100 * missing > all_inside_ && domain.size() < 3) {
@@ -138,7 +148,6 @@ class DomainSearch {
     return domain;
   }
 
- private:
   struct Found {
     std::vector<std::size_t> members;
     Bits bits;
@@ -150,20 +159,19 @@ class DomainSearch {
   /// Covers most of what is left, and next to nothing else; of those that cover as much the one with fewest conditions.
   std::optional<Found> best_conjunction(const Bits& left) const {
     const Bits every(words_, ~std::uint64_t{0});
-    const std::size_t tolerated = all_outside_ / 200;
     const std::size_t n = conditions_.size();
     std::optional<Found> best;
     const auto consider = [&](std::vector<std::size_t> members, const Bits& x, const Bits& y) {
       const std::size_t covered = count_of(x, y, left);
       // A condition more must win a twentieth.
       if (covered == 0 || (best && covered * 20 <= best->covered * 21)) return;
-      if (count_of(x, y, outside_) > tolerated) return;
+      if (count_of(x, y, outside_) > tolerated_) return;
       best = Found{std::move(members), both(x, y), covered};
     };
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t covered = count_of(holds_[i], every, left);
       if (covered == 0 || (best && covered <= best->covered)) continue;
-      if (count_of(holds_[i], every, outside_) <= tolerated) best = Found{{i}, holds_[i], covered};
+      if (count_of(holds_[i], every, outside_) <= tolerated_) best = Found{{i}, holds_[i], covered};
     }
     if (best && best->covered * 100 >= 99 * count_of(left, every, every)) return best;
     for (std::size_t i = 0; i < n; ++i) {
@@ -189,7 +197,7 @@ class DomainSearch {
   std::vector<Bits> holds_;
   std::size_t words_;
   Bits inside_, outside_;
-  std::size_t all_inside_ = 0, all_outside_ = 0;
+  std::size_t all_inside_ = 0, all_outside_ = 0, tolerated_ = 0;
 };
 
 }  // namespace

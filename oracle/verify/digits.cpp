@@ -45,9 +45,41 @@ DigitDecade decade(const Judgement& judgement, const std::string& where, const a
   return result;
 }
 
-/// Fewer digits from one to the next, and not by a cliff: a numerical method loses a few digits a decade.
-bool loses_steadily(const DigitDecade& from, const DigitDecade& to) {
-  return to.median <= from.median + 1.5 && to.median >= from.median - 4.5;
+/// Fewer digits from one bin to the next, and not by a cliff: where a method loses many of them in half a decade, as
+/// spectral ones do, some states have a number in between.
+bool loses_steadily(double from, double to, const std::vector<double>& digits_of_both) {
+  if (to > from + 1.5) return false;
+  if (to >= from - 4.5) return true;
+  return std::ranges::count_if(digits_of_both, [=](double x) { return x > to + 1.5 && x < from - 1.5; }) >= 3;
+}
+
+/// Over bins of a distance, from the first to the last; bins of fewer than five states say nothing.
+bool loses_steadily(const Judgement& judgement, const std::vector<double>& edges, double Reference::*distance) {
+  std::optional<double> last;
+  std::vector<double> last_digits;
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    std::vector<double> digits;
+    for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
+      const double here = judgement.references[i].*distance;
+      if (here < edges[k] && here >= edges[k + 1] && counts(judgement, i))
+        digits.push_back(judgement.comparisons[i].digits);
+    }
+    if (digits.size() < 5) continue;
+    const double median = quantile(digits, 0.5);
+    last_digits.insert(last_digits.end(), digits.begin(), digits.end());
+    if (last && !loses_steadily(*last, median, last_digits)) return false;
+    last = median;
+    last_digits = digits;
+  }
+  return true;
+}
+
+/// 1, 10^-1/2, 10^-1 … 1e-10, 0
+std::vector<double> half_decades() {
+  std::vector<double> edges;
+  for (int k = 0; k <= 20; ++k) edges.push_back(std::pow(10.0, -0.5 * k));
+  edges.push_back(0);
+  return edges;
 }
 
 }  // namespace
@@ -58,37 +90,23 @@ DigitProfile digit_profile(const Judgement& judgement) {
   const auto add = [&](const std::string& where, const auto& selects, std::vector<double>& digits) {
     DigitDecade made = decade(judgement, where, selects, digits);
     if (made.states > 0) profile.decades.push_back(std::move(made));
-    return !profile.decades.empty() && !digits.empty();
   };
-  const bool there = add(
+  add(
       "1 - e/c >= 0.1", [](const Reference& r) { return r.gap >= 0.1 && r.ratio >= 0.05; }, moderate);
-  std::optional<DigitDecade> last;
-  if (there) last = profile.decades.back();
   for (int k = 1; k <= 12; ++k) {
     const double upper = std::pow(10.0, -k), lower = std::pow(10.0, -k - 1);
     std::vector<double> digits;
-    if (!add(
-            fmt::format("{:g} <= 1 - e/c < {:g}", lower, upper),
-            [=](const Reference& r) { return r.gap >= lower && r.gap < upper; }, digits)) {
-      continue;
-    }
-    if (last && digits.size() >= 5) profile.steady = profile.steady && loses_steadily(*last, profile.decades.back());
-    if (digits.size() >= 5) last = profile.decades.back();
+    add(
+        fmt::format("{:g} <= 1 - e/c < {:g}", lower, upper),
+        [=](const Reference& r) { return r.gap >= lower && r.gap < upper; }, digits);
   }
-  bool steady_at_centre = there;
-  if (there) last = profile.decades.front();
   for (const auto& [lower, upper] : {std::pair{5e-3, 0.05}, std::pair{1e-4, 5e-3}, std::pair{0.0, 1e-4}}) {
-    std::vector<double> digits;
-    if (!add(
-            fmt::format("{:g} <= e/c < {:g}", lower, upper),
-            [=](const Reference& r) { return r.ratio >= lower && r.ratio < upper; }, digits)) {
-      continue;
-    }
-    central.insert(central.end(), digits.begin(), digits.end());
-    if (last && digits.size() >= 5)
-      steady_at_centre = steady_at_centre && loses_steadily(*last, profile.decades.back());
-    if (digits.size() >= 5) last = profile.decades.back();
+    add(
+        fmt::format("{:g} <= e/c < {:g}", lower, upper),
+        [=](const Reference& r) { return r.ratio >= lower && r.ratio < upper; }, central);
   }
+  profile.steady = loses_steadily(judgement, half_decades(), &Reference::gap);
+  const bool steady_at_centre = loses_steadily(judgement, {0.5, 0.05, 5e-3, 1e-4, 0}, &Reference::ratio);
   if (!steady_at_centre || moderate.empty()) moderate.insert(moderate.end(), central.begin(), central.end());
   profile.digits = moderate.empty() ? 0 : quantile(moderate, 0.01);
   return profile;
@@ -132,6 +150,13 @@ std::optional<FactorGroup> factor_group(const Judgement& judgement, const std::v
   }
   for (const std::size_t i : best->members) in_group[i] = 1;
   best->where = domain_of(judgement.quantities, states, in_group);
+  // The place is theirs only if most of what is wrong there is off by this factor.
+  std::size_t wrong_there = 0;
+  for (const Off& each : off) {
+    if (std::ranges::any_of(best->where, [&](const Conjunction& c) { return holds(c, states[each.state]); }))
+      ++wrong_there;
+  }
+  if (5 * best->members.size() < 3 * wrong_there) best->where.clear();
   return best;
 }
 

@@ -65,6 +65,16 @@ std::vector<Mistake> assembly_mistakes() {
            s.r = -s.r;
            s.t = -s.t;
          }}}},
+      {"turning_by_arccos",
+       "(F_r, F_t) are turned into x and y by γ = arccos(e_x/|e|), which is never negative",
+       "Right for e_y ≥ 0; turned by −γ for e_y < 0",
+       in_film_forces,
+       {{Step::film,
+         [](S& s) {
+           if (!(s.e.y() < 0)) return;
+           s.r.y() = -s.r.y();
+           s.t.x() = -s.t.x();
+         }}}},
       {"turned_backwards",
        "(F_r, F_t) are turned into x and y by −γ",
        "Right where e lies on the x axis",

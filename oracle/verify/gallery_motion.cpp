@@ -114,6 +114,26 @@ std::vector<Mistake> motion_mistakes() {
        in_plane,
        {{Step::kinematics, [](S& s) { s.spin_part = s.ratio * s.omega_journal, s.attitude_part = 0; }},
         {Step::rates, [](S& s) { s.b = 0; }}}},
+      {"steady_only_both_spins",
+       "The formulas of a steadily loaded bearing with both spins: a = ε(ω_J + ω_B), no whirl, no squeeze",
+       "Right where the journal's centre rests, and nowhere else",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.attitude_part = 0; }}, {Step::rates, [](S& s) { s.b = 0; }}}},
+      {"spins_clockwise",
+       "Spins are counted clockwise: a = −ε(ω_J + ω_B) − 2v·t/c",
+       "Squeeze and whirl are right; the wedge of the spin has the wrong sign",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.spin_part = -s.spin_part; }}}},
+      {"motion_without_quadrant",
+       "The direction of the motion is arctan of a ratio, without the quadrant: Capone's α where e_x(ω_J + ω_B) > 2v_y",
+       "Where e_x(ω_J + ω_B) > 2v_y the film lies on the opposite side: the force of the reversed motion",
+       [](Quantities q, Law law) { return !is_polar(q) && is_dynamic(law); },
+       {{Step::rates,
+         [](S& s) {
+           if (!(s.e.x() * (s.omega_bearing + s.omega_journal) > 2 * s.v.y())) return;
+           s.a = -s.a;
+           s.b = -s.b;
+         }}}},
       {"squeeze_rate_doubled",
        "The squeeze term has 4b where 2b is right",
        "The squeeze's force is doubled; pure wedge is right",

@@ -83,6 +83,7 @@ json terms_json(const std::vector<Term>& terms) {
                     {"states", std::string(motion_kind_names[static_cast<std::size_t>(term.states)])},
                     {"verdict", std::string(term_verdict_names[static_cast<std::size_t>(term.verdict)])},
                     {"digits", term.digits},
+                    {"part", term.part.empty() ? json() : json(term.part)},
                     {"factor", term.factor ? number_or_null(*term.factor) : json()},
                     {"factor_text", term.factor_text},
                     {"exponents", term.exponents.empty() ? json() : json(term.exponents)}});

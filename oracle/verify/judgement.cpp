@@ -23,12 +23,12 @@ Real slip_terms(const Solution& s) {
   return s.ratio * (std::abs(s.omega_bearing) + std::abs(s.omega_journal)) + 2 * across / s.film_clearance;
 }
 
-/// Zero in any order of operations: no spin, e and v along x. In other directions a program that works with angles gets
-/// what the cosine of a right angle is in its arithmetic.
+/// Zero in any order of operations: at the centre, or without spin, e and v along x. In other directions a program that
+/// works with angles gets what the cosine of a right angle is in its arithmetic.
 bool slip_rate_is_exactly_zero(const Solution& s) {
   if (is_polar(s.quantities)) return s.spin_part == 0 && s.attitude_part == 0;
-  return s.omega_bearing + s.omega_journal == 0 && s.e.y() == 0 && s.v.y() == 0 && s.e.x() >= 0 &&
-         s.v.x() * s.e.x() != 0;
+  if (is_zero(s.e)) return true;
+  return s.omega_bearing + s.omega_journal == 0 && s.e.y() == 0 && s.v.y() == 0 && s.e.x() > 0;
 }
 
 /// Sizes of a state's numbers, and how far it is from a jump of the law.

@@ -17,6 +17,7 @@ struct Number {
   double given, expected, tolerance, force;
   const State* state;
   double ratio, gap, rate;  ///< ε, 1 − ε, |a| + |b|
+  double wedge, squeeze;    ///< the parts of what is expected, in laws that have such parts
 
   double error() const { return std::abs(given - expected); }
 };
@@ -242,6 +243,34 @@ Term judge_term_at(Component component, MotionKind kind, const std::vector<Numbe
   return term;
 }
 
+/// A mixed term that is wrong in one of its parts: what is left of the answer without the other, right part.
+std::optional<Term> judge_part(const Term& whole, const std::vector<Number>& numbers, double Number::*part,
+                               double Number::*other, const char* name) {
+  std::vector<Number> left;
+  for (const Number& n : numbers) {
+    // Where the part is small, subtraction leaves nothing of it.
+    if (std::abs(n.*part) < 0.01 * std::abs(n.*other) || n.*part == 0) continue;
+    Number rest = n;
+    rest.given -= n.*other;
+    rest.expected = n.*part;
+    rest.tolerance *= 1 + std::abs(n.*other / (n.*part));
+    left.push_back(rest);
+  }
+  if (left.size() < 8) return {};
+  Term term{whole.component, whole.states};
+  term.part = name;
+  term.digits = whole.digits;
+  const auto is_absent = [](const Number& n) { return std::abs(n.given) <= n.tolerance + 1e-6 * std::abs(n.expected); };
+  if (std::ranges::all_of(left, is_absent)) {
+    term.verdict = TermVerdict::absent;
+    term.factor = 0;
+    return term;
+  }
+  judge_ratio(term, left, 0);
+  if (term.verdict == TermVerdict::factor || term.verdict == TermVerdict::function) return term;
+  return {};
+}
+
 /// At the precision that the program has there: a numerical program's terms are right to some digits.
 Term judge_term(Component component, MotionKind kind, const std::vector<Number>& numbers) {
   Term term;
@@ -250,12 +279,20 @@ Term judge_term(Component component, MotionKind kind, const std::vector<Number>&
     term.precision = precision;
     if (term.verdict != TermVerdict::wrong) break;
   }
+  if (term.verdict != TermVerdict::wrong || kind != MotionKind::mixed) return term;
+  if (auto squeeze = judge_part(term, numbers, &Number::squeeze, &Number::wedge, "squeeze")) return *squeeze;
+  if (auto wedge = judge_part(term, numbers, &Number::wedge, &Number::squeeze, "wedge")) return *wedge;
   return term;
 }
 
 }  // namespace
 
 std::string Term::words() const {
+  if (!part.empty()) {
+    Term alone = *this;
+    alone.part.clear();
+    return "right but for the part of the " + part + ", which is " + alone.words();
+  }
   switch (verdict) {
     case TermVerdict::right:
       return precision == 0 ? "right" : fmt::format("right, to {:.0f} digits", std::floor(digits));
@@ -320,7 +357,9 @@ std::vector<Term> terms_of(const Judgement& judgement, const std::vector<State>&
       numbers[k][static_cast<std::size_t>(*kind)].push_back(
           {static_cast<double>(dot(given, axis)), static_cast<double>(dot(expected, axis)), tolerance,
            reference.size[0], &states[i], static_cast<double>(s.ratio), static_cast<double>(s.ratio_gap),
-           static_cast<double>(std::abs(s.a) + std::abs(s.b))});
+           static_cast<double>(std::abs(s.a) + std::abs(s.b)),
+           static_cast<double>(s.scale * (k == 0 ? s.radial_wedge : s.tangential_wedge)),
+           static_cast<double>(s.scale * (k == 0 ? s.radial_squeeze : s.tangential_squeeze))});
     }
   }
   std::vector<Term> terms;

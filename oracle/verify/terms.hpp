@@ -29,6 +29,8 @@ struct Term {
   double precision = 0;                          ///< error over |F| at which this holds; 0: rounding
   double digits = 0;                             ///< that nineteen states in twenty agree to, over |F|
   std::optional<double> factor = {};             ///< of what it should be, where that is a number
+  /// In mixed motion: "wedge" or "squeeze" if that part alone is wrong, the other being as it should be.
+  std::string part = {};
   std::string factor_text = {};                  ///< the number or ratio of inputs in words; may be empty
   std::map<std::string, double> exponents = {};  ///< powers of ε, q, … by which the ratio is off; "function" only
 

@@ -44,18 +44,17 @@ double median_distance(const Judgement& judgement, const Answers& answers) {
 /// The error below which a numerical program's answers count as right: the least that leaves nearly as many as two
 /// digits do; 0 where enough are right to rounding.
 double error_of_right_answers(const Judgement& judgement, const Answers& answers) {
-  std::size_t right = 0, moving = 0;
+  std::size_t right = 0;
   std::vector<double> errors;
   for (std::size_t i = 0; i < judgement.references.size(); ++i) {
     const auto error = relative_error(judgement, answers, i);
     if (!error || judgement.references[i].gap < 0.1) continue;
-    ++moving;
     if (judgement.comparisons[i].right()) ++right;
     errors.push_back(*error);
   }
-  if (50 * right >= moving) return 0;
   const auto within = [&](double limit) { return std::ranges::count_if(errors, [=](double e) { return e <= limit; }); };
   const auto two_digits = within(1e-2);
+  if (2 * static_cast<std::ptrdiff_t>(right) >= two_digits) return 0;
   for (const double limit : {1e-8, 1e-6, 1e-5, 1e-4, 1e-3}) {
     if (10 * within(limit) >= 9 * two_digits) return limit;
   }
@@ -68,8 +67,13 @@ void locate(Verification& v) {
   for (std::size_t i = 0; i < v.states.size(); ++i) {
     const Comparison& c = v.judgement.comparisons[i];
     const auto error = relative_error(v.judgement, v.answers, i);
+    // Where a state's own tolerance is coarse, a wrong answer may be right by chance.
+    constexpr double sharp = 1e-7;
+    const Reference& reference = v.judgement.references[i];
+    const bool decides = error && v.judgement.precision.tolerance(reference, 0) <=
+                                      std::max(sharp, 1e3 * v.judgement.precision.roundoff) * reference.size[0];
     const bool matters =
-        error && c.outcome != Outcome::undecided &&
+        decides && c.outcome != Outcome::undecided &&
         (right_error == 0 || c.outcome == Outcome::not_a_number || v.judgement.references[i].gap >= 0.1);
     const bool is_none = c.outcome == Outcome::not_a_number;
     const bool is_right = matters && !is_none && (c.right() || *error <= right_error);
@@ -93,27 +97,41 @@ bool is_meant(const FactorGroup& group, const Judgement& judgement) {
   return !group.where.empty() || 2 * group.members.size() >= judgement.failing.size() + judgement.undecided;
 }
 
-/// A sum or an integral by some rule errs everywhere; a program that is right to rounding at most states does not.
-bool errs_nearly_everywhere(const Judgement& j) {
-  std::size_t wrong = 0, decided = 0;
+/// A sum or an integral by some rule errs everywhere; or, where it is spectral, everywhere but in thick films: the gap
+/// of a wrong answer is smaller than that of a right one. A program that is right to rounding at most states and wrong
+/// at some others has a defect there.
+bool errs_like_a_rule(const Judgement& j) {
+  std::vector<double> right, wrong;
   for (std::size_t i = 0; i < j.comparisons.size(); ++i) {
     const Comparison& c = j.comparisons[i];
-    if (j.references[i].gap < 0.1 || j.references[i].ratio < 0.05 || !(j.references[i].size[0] > 0)) continue;
-    if (c.right() || c.fails()) ++decided;
-    if (c.fails()) ++wrong;
+    if (j.references[i].ratio < 0.05 || !(j.references[i].size[0] > 0)) continue;
+    if (c.right()) right.push_back(j.references[i].gap);
+    if (c.fails()) wrong.push_back(j.references[i].gap);
   }
-  return 2 * wrong > decided;
+  const auto thick = [](const std::vector<double>& gaps) {
+    return std::ranges::count_if(gaps, [](double x) { return x >= 0.1; });
+  };
+  if (2 * thick(wrong) > thick(wrong) + thick(right)) return true;
+  std::ranges::sort(right);
+  double thicker = 0;
+  for (const double gap : wrong) thicker += static_cast<double>(right.end() - std::ranges::upper_bound(right, gap));
+  return wrong.size() >= 5 && thicker >= 0.95 * static_cast<double>(right.size()) * static_cast<double>(wrong.size());
+}
+
+/// A constant factor that is no number one would expect, and hardly one: that of a trapezoidal rule, say.
+bool may_be_of_a_rule(const Term& term) {
+  constexpr double largest = 1e-3;
+  return term.verdict == TermVerdict::factor && term.factor && term.factor_text.empty() &&
+         std::abs(*term.factor - 1) <= largest;
 }
 
 /// Right to some digits, as a sum or an integral by some rule is, and nothing else is the matter.
 bool is_numerical(const Verification& v) {
   const Judgement& j = v.judgement;
-  if (v.settings.tolerance == 0 && !errs_nearly_everywhere(j)) return false;
-  if (!(v.digits.digits >= 1) || !v.digits.steady || j.not_numbers > 0 || v.group) return false;
-  if (!v.suspicions.empty() || std::ranges::any_of(v.terms, off_by_a_factor)) return false;
-  // No rule of integration is exact in a part of the domain; a number added against division by zero may be.
-  constexpr double of_regularisation = 5;
-  return v.digits.digits >= of_regularisation || v.right_where.empty();
+  if (!(v.digits.digits >= 1) || !v.digits.steady || j.not_numbers > 0 || v.group || !v.suspicions.empty())
+    return false;
+  if (v.settings.tolerance == 0 && !errs_like_a_rule(j)) return false;
+  return std::ranges::none_of(v.terms, [](const Term& t) { return off_by_a_factor(t) && !may_be_of_a_rule(t); });
 }
 
 Verdict verdict_of(const Verification& v) {

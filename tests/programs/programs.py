@@ -4,7 +4,7 @@
 Reads the Cartesian protocol (id, viscosity, length, radius, clearance, omega_bearing, omega_journal, ex, ey, vx, vy) from standard
 input and answers id, fx, fy. This file holds the programs that are right or right to some digits; mistaken.py holds the wrong ones.
 Every program was written from the mathematics, without looking at how it is judged; what must and must not be said of each stands in
-expected.csv. A division by zero, a root of a negative number or an overflow is answered by nan, as numerical environments do.
+programs.csv. A division by zero, a root of a negative number or an overflow is answered by nan, as numerical environments do.
 """
 import csv
 import math
