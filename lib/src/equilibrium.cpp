@@ -40,7 +40,7 @@ Linearisation linearise(const JournalScene& parts, const JournalState<double>& y
 /// What a law has to say to an equilibrium; the rest is compiled once for all of them.
 struct LawAtRest {
   /// The place at which the film carries a load over the spins' sum, and F/S there for a spin of that sum's sign.
-  std::optional<SteadyPlace<double>> (*place)(double load_ratio);
+  std::optional<SteadyPlace<double>> (*place)(const double& load_ratio);
   PolarForce<double> (*force_ratio)(const PolarFilmState<double>&);
   BearingLimit limit;
   Linearisation (*linearise)(const JournalScene&, const JournalState<double>&);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/film_state.hpp"
+#include "oracle/reports/coefficient_table.hpp"
 #include "oracle/reports/outcome_words.hpp"
 
 namespace lubjoint::reports {
@@ -102,6 +103,7 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
   };
   nlohmann::ordered_json eigenvalues = nlohmann::ordered_json::array();
   for (const auto& value : rest.eigenvalues) eigenvalues.push_back({{"re", value.real()}, {"im", value.imag()}});
+  const std::string warning = stability_warning(scene.joints.front().film);
   return {{"scene", scene.name},
           {"law", scene.joints.front().film},
           {"eccentricity_ratio", rest.eccentricity_ratio},
@@ -114,7 +116,8 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
           {"damping", matrix(rest.damping)},
           {"eigenvalues", eigenvalues},
           {"eigenvalue_rounding", rest.eigenvalue_rounding},
-          {"stability", stability_word(rest.stability())}};
+          {"stability", stability_word(rest.stability())},
+          {"warning", warning.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(warning)}};
 }
 
 std::string equilibrium_text(const Scene& scene, const JournalEquilibrium& rest) {
