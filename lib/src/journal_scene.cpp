@@ -31,6 +31,10 @@ JournalScene journal_scene(const Scene& scene) {
     refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body", joint.line);
   }
   if (joint.contact) refuse("joints[0] has contact; allowed here is a film alone");
+  if (joint.shear && !body.spin_is_held) {
+    refuse("joints[0].shear slows the journal down; allowed here is a spin that is held: spin = {held = ...}",
+           joint.line);
+  }
   for (const SceneLoad& each : scene.loads) {
     if (each.moment != 0) refuse("loads has a moment; allowed here are forces: the journal's spin is constant");
   }
