@@ -299,6 +299,12 @@ TEST_CASE("shear: scenes name line, key, what was given and what is allowed") {
   refused({{"spin = 52.35987755982989", "spin = {held = \"fast\"}"}}, Contains("bodies[0].spin.held"));
   CHECK(journal_with({law("long_half"), {"[[joints]]", "[[joints]]\nshear = \"striated\""}}).joints[0].shear ==
         ShearExtent::striated);
+  // A law that is not the file's has to have the shear, too.
+  Scene striated = journal_with({law("long_half"), held, {"[[joints]]", "[[joints]]\nshear = \"striated\""}});
+  striated.joints[0].film = "long_dynamic";
+  CHECK_THROWS_WITH(simulate_journal(striated), Contains("striated") && Contains("long_dynamic"));
+  striated.bodies[0].spin_is_held = false;
+  CHECK_THROWS_WITH(simulate_multibody(striated), Contains("striated") && Contains("long_dynamic"));
   // Without a film there is no oil.
   SceneFile impact(LUBJOINT_SOURCE_DIR "/data/scenes/impact.toml");
   CHECK_THROWS_WITH(impact.scene({{"joints[0].film", std::string("none")}, {"joints[0].shear", std::string("film")}}),

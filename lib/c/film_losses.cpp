@@ -9,7 +9,7 @@ namespace {
 template <FilmLaw Law>
 void film_losses_of(const Bearing<double>& bearing, const Lubricant<double>& oil, ShearExtent shear, std::size_t n,
                     const lubjoint_motion& motion, const lubjoint_losses& losses) {
-  require_shear<Law>(shear);
+  static_cast<void>(sheared_gap<Law>(shear));  // refuses
   if (losses.side_flow.data != nullptr && Law::limit == BearingLimit::long_bearing) {
     throw std::invalid_argument("side_flow is asked of " + std::string(Law::name) +
                                 "; allowed is a null pointer for a long bearing, which has none");

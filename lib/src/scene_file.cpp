@@ -37,6 +37,10 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   body.velocity = table.vector_or("velocity", body.velocity, "m/s");
   if (table.is_table("spin")) {
     TableReader spin = table.table("spin");
+    if (!spin.has("held")) {
+      table.refuse("spin", "a table without held",
+                   "a finite number [rad/s], or {held = NUMBER} where it is prescribed");
+    }
     body.spin = spin.number("held", Allowed::any, "rad/s");
     body.spin_is_held = true;
     spin.finish();

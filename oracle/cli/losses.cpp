@@ -31,7 +31,7 @@ void add_losses(CLI::App& app, Action& action) {
       require_name("--law", options->law, film_law_names);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
-      with_film_law(options->law, [&]<class Law>() { require_shear<Law>(shear); });
+      with_film_law(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       const reports::CsvTable states(reports::read_input(options->states), reports::input_name(options->states));
