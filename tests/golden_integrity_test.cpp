@@ -66,7 +66,8 @@ TEST_CASE("SHA-256 is the standard's: FIPS 180-2, appendix B") {
   CHECK(reports::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST_CASE("every output of the golden files has 30 digits or is exact, and half a unit of the last as uncertainty") {
+TEST_CASE(
+    "every output of the golden files has 30 digits, is exact or is not defined, with half a unit as uncertainty") {
   for (const fs::path& path : golden_csv_files()) {
     const reports::CsvTable table(reports::read_input(path.string()), path.filename().string());
     const std::string& header = table.header();
@@ -83,6 +84,10 @@ TEST_CASE("every output of the golden files has 30 digits or is exact, and half 
         if (names[i] != names[i - 1] + "_uncertainty" || fields[i] == "0") continue;
         INFO(path.filename() << ", row " << row + 1 << ", " << names[i - 1]);
         const std::string& value = fields[i - 1];
+        if (value.empty()) {  // not defined: a long bearing's side flow, a threshold that there is not
+          CHECK(fields[i].empty());
+          continue;
+        }
         const std::size_t e = value.find('e');
         CHECK(std::count_if(value.begin(), value.begin() + static_cast<long>(e), ::isdigit) == 30);
         CHECK(fields[i] == "5.1e" + std::to_string(std::stol(value.substr(e + 1)) - 30));

@@ -49,6 +49,9 @@ TEST_CASE("prove: --json has each statement of the ledger with its verdict") {
   CHECK(result.status == 0);
   const auto ledger = nlohmann::json::parse(result.out);
   CHECK(ledger["closes"] == true);
+  // As many as the README says.
+  CHECK_THAT(lubjoint::test::read_text(LUBJOINT_SOURCE_DIR "/README.md"),
+             Catch::Contains("`prove`: " + std::to_string(all_statements().size()) + " statements"));
   const auto all = all_statements();
   REQUIRE(ledger["statements"].size() == all.size());
   std::set<std::string> expectations;

@@ -62,6 +62,23 @@ typedef struct lubjoint_contact {
   double impact_speed; /* at which the journal last crossed e = c outwards [m/s], above 0 */
 } lubjoint_contact;
 
+/* What the oil costs, to be written. side_flow.data may be null, and must be for a long bearing, which has none. */
+typedef struct lubjoint_losses {
+  lubjoint_out torque_journal; /* on the journal about its centre [N m] */
+  lubjoint_out torque_bearing; /* on the bearing about its centre [N m] */
+  lubjoint_out power;          /* lost in the film [W] */
+  lubjoint_out side_flow;      /* out of both sides, net [m^3/s] */
+} lubjoint_losses;
+
+/* A journal at rest on its film, to be written; x along the load on the journal, y 90 degrees counter-clockwise. */
+typedef struct lubjoint_coefficients {
+  lubjoint_out load;          /* [N] */
+  lubjoint_out attitude;      /* from the load to the eccentricity, positive in the sense of the spin [rad] */
+  lubjoint_out stiffness[4];  /* xx, xy, yx, yy [N/m] */
+  lubjoint_out damping[4];    /* likewise [N s/m] */
+  lubjoint_out critical_mass; /* of a rigid rotor, per bearing [kg]; HUGE_VAL where every mass is stable, 0: none is */
+} lubjoint_coefficients;
+
 /* What went wrong in this thread's last call that did not return 0; never null. */
 LUBJOINT_API const char* lubjoint_message(void);
 LUBJOINT_API const char* lubjoint_version(void);
@@ -78,6 +95,17 @@ LUBJOINT_API int lubjoint_polar_force(const char* law, const lubjoint_bearing* b
 /* Force of the film on the journal [N], in the frame of the motion. */
 LUBJOINT_API int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, size_t n,
                                         const lubjoint_motion* motion, lubjoint_out fx, lubjoint_out fy);
+
+/* Friction torques, power and side flow. shear: "film" (where the law's film is), "flooded" or, for half films,
+ * "striated". Without it no law resists the spin. */
+LUBJOINT_API int lubjoint_film_losses(const char* law, const lubjoint_bearing* bearing, const char* shear, size_t n,
+                                      const lubjoint_motion* motion, const lubjoint_losses* losses);
+
+/* Load, attitude, stiffness, damping and critical mass of n journals of spin omega (not 0, of either sign) [rad/s] that
+ * rest at an eccentricity ratio above 0 and below 1, in a bearing that does not turn. */
+LUBJOINT_API int lubjoint_film_coefficients(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                            lubjoint_in eccentricity_ratio, lubjoint_in omega,
+                                            const lubjoint_coefficients* coefficients);
 
 /* Force on a journal that may touch the wall [N]: film, blend, dry contact. Defined for any eccentricity. */
 LUBJOINT_API int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing,

@@ -2,24 +2,17 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <optional>
 
 #include "lubjoint/dynamics/exact_jacobian.hpp"
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/steady_place.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
 
 namespace {
-
-/// ε of a logistic variable, with q: 1 − ε keeps its digits on the whole line.
-PolarFilmState<double> steady_state(double logit, double spin_sum) {
-  const double epsilon = 1 / (1 + std::exp(-logit));
-  const double gap = 1 / (1 + std::exp(logit));
-  return PolarFilmState<double>(epsilon, epsilon * spin_sum, 0.0, gap * (1 + epsilon));
-}
 
 /// Extended precision: the eigenvalues span 1e-4 to 1e5 1/s.
 using Long = long double;
@@ -46,7 +39,10 @@ Linearisation linearise(const JournalScene& parts, const JournalState<double>& y
 
 /// What a law has to say to an equilibrium; the rest is compiled once for all of them.
 struct LawAtRest {
-  PolarForce<double> (*force)(const JournalScene&, const PolarFilmState<double>&);
+  /// The place at which the film carries a load over the spins' sum, and F/S there for a spin of that sum's sign.
+  std::optional<SteadyPlace<double>> (*place)(const double& load_ratio);
+  PolarForce<double> (*force_ratio)(const PolarFilmState<double>&);
+  BearingLimit limit;
   Linearisation (*linearise)(const JournalScene&, const JournalState<double>&);
 };
 
@@ -58,31 +54,20 @@ JournalEquilibrium find(const Scene& scene, const LawAtRest& law) {
     throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
                      ": bodies[0].spin is 0; allowed is a spin other than 0, or nothing carries the load");
   }
-  const auto force_at = [&](double logit) { return law.force(parts, steady_state(logit, spin_sum)); };
-  // |F| grows from 0 to infinity with ε for every law: one root. ε = 1e-300 … 1 − 1e-15.
-  const auto excess = [&](double logit) {
-    const PolarForce<double> f = force_at(logit);
-    return std::log(std::hypot(f.radial, f.tangential)) - std::log(load);
-  };
-
   JournalEquilibrium result;
   JournalState<double> y{0, 0, 0, 0};
   double q = 1;
   if (load > 0) {
-    const double lowest = -690;
-    const double highest = 34.5;
-    if (excess(lowest) > 0 || excess(highest) < 0) {
+    const double scale = force_scale(law.limit, parts.bearing, parts.oil);
+    const std::optional<SteadyPlace<double>> place = law.place(load / scale / std::abs(spin_sum));
+    if (!place) {
       throw SceneError(
           scene.file + ":" + std::to_string(scene.bodies.front().line) +
           ": bodies[0] has no equilibrium with an eccentricity ratio between 1e-300 and 1 - 1e-15; allowed "
           "is a load that the film carries there");
     }
-    std::uintmax_t iterations = 200;
-    const boost::math::tools::eps_tolerance<double> tolerance(52);
-    const auto bracket = boost::math::tools::toms748_solve(excess, lowest, highest, tolerance, iterations);
-    const double logit = (bracket.first + bracket.second) / 2;
-    const PolarFilmState<double> state = steady_state(logit, spin_sum);
-    const PolarForce<double> f = force_at(logit);
+    const PolarFilmState<double> state = place->film(spin_sum < 0 ? -1 : 1);
+    const PolarForce<double> f = law.force_ratio(state);
     result.eccentricity_ratio = state.eccentricity_ratio;
     q = state.q;
     // F = −W fixes the frame: r is −W turned back by the angle of F in it.
@@ -131,10 +116,7 @@ Stability JournalEquilibrium::stability() const {
 JournalEquilibrium journal_equilibrium(const Scene& scene) {
   if (scene.joints.empty()) journal_scene(scene);  // says what is missing
   const LawAtRest law = with_film_law(scene.joints.front().film, []<class Law>() {
-    return LawAtRest{[](const JournalScene& parts, const PolarFilmState<double>& state) {
-                       return film_force<Law>(parts.bearing, parts.oil, state);
-                     },
-                     &linearise<Law>};
+    return LawAtRest{&steady_place<Law, double>, &polar_force_ratio<Law, double>, Law::limit, &linearise<Law>};
   });
   return find(scene, law);
 }

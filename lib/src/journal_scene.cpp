@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/losses.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
@@ -31,6 +33,13 @@ JournalScene journal_scene(const Scene& scene) {
     refuse("joints[0].journal.point is not [0, 0]; allowed is a journal at the mass centre of its body", joint.line);
   }
   if (joint.contact) refuse("joints[0] has contact; allowed here is a film alone");
+  if (joint.shear) {  // the law may be another than the file's
+    with_film_law(joint.film, [&]<class Law>() { return sheared_gap<Law>(*joint.shear); });
+  }
+  if (joint.shear && !body.spin_is_held) {
+    refuse("joints[0].shear slows the journal down; allowed here is a spin that is held: spin = {held = ...}",
+           joint.line);
+  }
   for (const SceneLoad& each : scene.loads) {
     if (each.moment != 0) refuse("loads has a moment; allowed here are forces: the journal's spin is constant");
   }

@@ -84,7 +84,8 @@ bool is_free_journal(const Scene& scene) {
   }
   const SceneJoint& joint = scene.joints.front();
   const bool turned = std::any_of(scene.loads.begin(), scene.loads.end(), [](const auto& l) { return l.moment != 0; });
-  return !joint.contact && !turned && !joint.bearing.body && is_zero(joint.journal.point);
+  const bool slows_down = joint.shear && !scene.bodies.front().spin_is_held;
+  return !joint.contact && !turned && !slows_down && !joint.bearing.body && is_zero(joint.journal.point);
 }
 
 namespace detail {

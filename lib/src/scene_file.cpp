@@ -10,6 +10,7 @@
 
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/losses.hpp"
 #include "lubjoint/scene/nearest_name.hpp"
 #include "lubjoint/scene/printable.hpp"
 #include "scene_changes.hpp"
@@ -34,7 +35,18 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   body.position = table.vector_or("position", body.position, "m");
   body.angle = table.number_or("angle", 0, Allowed::any, "rad");
   body.velocity = table.vector_or("velocity", body.velocity, "m/s");
-  body.spin = table.number_or("spin", 0, Allowed::any, "rad/s");
+  if (table.is_table("spin")) {
+    TableReader spin = table.table("spin");
+    if (!spin.has("held")) {
+      table.refuse("spin", "a table without held",
+                   "a finite number [rad/s], or {held = NUMBER} where it is prescribed");
+    }
+    body.spin = spin.number("held", Allowed::any, "rad/s");
+    body.spin_is_held = true;
+    spin.finish();
+  } else {
+    body.spin = table.number_or("spin", 0, Allowed::any, "rad/s");
+  }
   table.finish();
   return body;
 }
@@ -46,6 +58,21 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
   load.moment = table.number_or("moment", 0, Allowed::any, "N m");
   table.finish();
   return load;
+}
+
+/// The friction of a joint's film, if there is one.
+std::optional<ShearExtent> read_shear(TableReader& table, const std::string& film) {
+  if (!table.has("shear")) return std::nullopt;
+  const std::string name = table.text("shear");
+  if (film == no_film) table.refuse("shear", in_quotes(name), "no shear where film is \"none\": there is no oil");
+  if (std::find(shear_extent_names.begin(), shear_extent_names.end(), name) == shear_extent_names.end()) {
+    table.refuse("shear", in_quotes(name), one_of(shear_extent_names, name));
+  }
+  const ShearExtent shear = shear_extent(name);
+  if (!with_film_law(film, [&]<class Law>() { return has_shear<Law>(shear); })) {
+    table.refuse("shear", in_quotes(name) + " with " + film, "film or flooded; striated is for half films");
+  }
+  return shear;
 }
 
 /// Where an anchor is at t = 0, inertial [m].
@@ -85,6 +112,7 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     table.refuse("clearance", given.str(), allowed.str());
   }
   read_contact(table, joint);
+  joint.shear = read_shear(table, joint.film);
   joint.bearing = read_anchor(table.table("bearing"), scene);
   joint.journal = read_anchor(table.table("journal"), scene);
   if (joint.bearing.body == joint.journal.body) {

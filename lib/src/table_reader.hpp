@@ -32,6 +32,7 @@ class TableReader {
   bool flag_or(std::string_view key, bool otherwise);
   TableReader table(std::string_view key);
   bool has(std::string_view key) const { return table_.contains(key); }
+  bool is_table(std::string_view key) const { return table_[key].is_table(); }
   /// Every table of an array of tables; none if the key is missing.
   std::vector<TableReader> tables(std::string_view key);
 

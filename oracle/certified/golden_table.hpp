@@ -47,5 +47,7 @@ GoldenTable dry_contact_table();
 GoldenTable contact_stiffness_table();
 GoldenTable exit_speed_table();
 GoldenTable equilibrium_table();
+GoldenTable film_losses_table();
+GoldenTable coefficients_table();
 
 }  // namespace lubjoint::certified

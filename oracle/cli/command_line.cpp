@@ -35,7 +35,10 @@ void add_commands(CLI::App& app, Action& action) {
   add_reproduce(app, action);
   add_simulate(app, action);
   add_force(app, action);
+  add_losses(app, action);
   add_equilibrium(app, action);
+  add_coefficients(app, action);
+  add_stability(app, action);
   add_oracle(app, action);
   add_model_error(app, action);
   add_accuracy(app, action);

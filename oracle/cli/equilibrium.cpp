@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/cli/scene_options.hpp"
+#include "oracle/reports/coefficient_table.hpp"
 #include "oracle/reports/journal_report.hpp"
 
 namespace lubjoint::cli {
@@ -20,6 +21,8 @@ void add_equilibrium(CLI::App& app, Action& action) {
     action = [options] {
       const Scene scene = options->load();
       const JournalEquilibrium rest = journal_equilibrium(scene);
+      const std::string warning = reports::stability_warning(scene.joints.front().film);
+      if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
       if (options->json) {
         std::cout << reports::equilibrium_json(scene, rest).dump(2) << '\n';
       } else {

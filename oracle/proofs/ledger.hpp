@@ -87,5 +87,7 @@ std::vector<Statement> passivity_statements();
 std::vector<Statement> pinkus_sternlicht_statements();
 std::vector<Statement> mechanics_statements();
 std::vector<Statement> contact_statements();
+std::vector<Statement> loss_statements();
+std::vector<Statement> coefficient_statements();
 
 }  // namespace lubjoint::proofs

@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/film_state.hpp"
+#include "lubjoint/scene/journal_losses.hpp"
+#include "oracle/reports/coefficient_table.hpp"
+#include "oracle/reports/loss_columns.hpp"
 #include "oracle/reports/outcome_words.hpp"
 
 namespace lubjoint::reports {
@@ -26,15 +29,19 @@ std::string trajectory_csv(const Scene& scene, const JournalTrajectory& run) {
   const double c = joint.clearance;
   std::string csv = fmt::format(
       "t,{0}.x,{0}.y,{0}.phi,{0}.vx,{0}.vy,{0}.omega,{1}.ex,{1}.ey,{1}.eccentricity_ratio,{1}.attitude,{1}.fx,{1}.fy,"
-      "{1}.film_thickness\n",
+      "{1}.film_thickness",
       body.name, joint.name);
+  if (joint.shear) csv += loss_header(joint.name);
+  csv += '\n';
   for (const JournalSample& s : run.samples) {
     const double ex = c * s.state[0];
     const double ey = c * s.state[1];
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", s.t,
+    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.t,
                    joint.bearing.point.x() + ex, joint.bearing.point.y() + ey, body.angle + body.spin * s.t,
                    c * s.state[2], c * s.state[3], body.spin, ex, ey, s.eccentricity_ratio(),
                    std::atan2(s.state[1], s.state[0]), s.force.x(), s.force.y(), c * clearance_left(s.state));
+    if (joint.shear) csv += loss_fields(journal_losses(scene, s));
+    csv += '\n';
   }
   return csv;
 }
@@ -51,6 +58,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
                    {"eccentricity_ratio", last.eccentricity_ratio()},
                    {"fx", last.force.x()},
                    {"fy", last.force.y()}};
+    if (joint.shear) add_losses(final_state, journal_losses(scene, last));
   }
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();
   joints.push_back({{"name", joint.name},
@@ -76,6 +84,7 @@ std::string summary_text(const Scene& scene, const JournalTrajectory& run) {
     text += fmt::format(
         "joint        {}\n  final      e/c = ({:.6f}, {:.6f}), eccentricity ratio {:.6f}, force ({:.6f}, {:.6f}) N\n",
         joint.name, last.state[0], last.state[1], last.eccentricity_ratio(), last.force.x(), last.force.y());
+    if (joint.shear) text += loss_text(journal_losses(scene, last));
   }
   text += fmt::format("  extremes   eccentricity ratio {:.6f}, force {:.6g} N, film thickness {:.4g} um\n",
                       run.max_eccentricity_ratio, run.max_force, 1e6 * run.min_film_thickness);
@@ -104,6 +113,7 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
   };
   nlohmann::ordered_json eigenvalues = nlohmann::ordered_json::array();
   for (const auto& value : rest.eigenvalues) eigenvalues.push_back({{"re", value.real()}, {"im", value.imag()}});
+  const std::string warning = stability_warning(scene.joints.front().film);
   return {{"scene", scene.name},
           {"law", scene.joints.front().film},
           {"eccentricity_ratio", rest.eccentricity_ratio},
@@ -116,7 +126,8 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
           {"damping", matrix(rest.damping)},
           {"eigenvalues", eigenvalues},
           {"eigenvalue_rounding", rest.eigenvalue_rounding},
-          {"stability", stability_word(rest.stability())}};
+          {"stability", stability_word(rest.stability())},
+          {"warning", warning.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(warning)}};
 }
 
 std::string equilibrium_text(const Scene& scene, const JournalEquilibrium& rest) {

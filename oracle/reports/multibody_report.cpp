@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "oracle/reports/loss_columns.hpp"
 #include "oracle/reports/outcome_words.hpp"
 
 namespace lubjoint::reports {
@@ -39,6 +40,7 @@ std::string trajectory_csv(const Scene& scene, const MultibodyTrajectory& run) {
   for (const SceneJoint& joint : scene.joints) {
     csv +=
         fmt::format(",{0}.ex,{0}.ey,{0}.eccentricity_ratio,{0}.attitude,{0}.fx,{0}.fy,{0}.film_thickness", joint.name);
+    if (joint.shear) csv += loss_header(joint.name);
   }
   for (const std::string& driver : run.driver_names) csv += "," + driver + ".moment";
   if (scene.energy_ledger) {
@@ -52,9 +54,11 @@ std::string trajectory_csv(const Scene& scene, const MultibodyTrajectory& run) {
     for (std::size_t i = 0; i < n; i += 3) {
       append(csv, s.state[i], s.state[i + 1], s.state[i + 2], s.state[n + i], s.state[n + i + 1], s.state[n + i + 2]);
     }
-    for (const JointSample& j : s.joints) {
+    for (std::size_t k = 0; k < s.joints.size(); ++k) {
+      const JointSample& j = s.joints[k];
       append(csv, j.eccentricity.x(), j.eccentricity.y(), j.eccentricity_ratio,
              std::atan2(j.eccentricity.y(), j.eccentricity.x()), j.force.x(), j.force.y(), j.film_thickness);
+      if (scene.joints[k].shear) csv += loss_fields(j.losses);
     }
     for (const double moment : s.driving_moments) append(csv, moment);
     for (const double value : s.ledger) append(csv, value);
@@ -80,6 +84,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                       {"t_max_force", run.joints[j].force.t},
                       {"min_film_thickness", c - run.joints[j].eccentricity.value},
                       {"t_min_film_thickness", run.joints[j].eccentricity.t}});
+    if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
   }
   const auto driver_json = [&](std::size_t d) {
     return nlohmann::ordered_json{{"name", run.driver_names[d]},
@@ -128,6 +133,7 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
         scene.joints[j].name, last.eccentricity.x() / c, last.eccentricity.y() / c, last.eccentricity_ratio,
         last.force.x(), last.force.y(), extremes.eccentricity.value / c, 1e6 * (c - extremes.eccentricity.value),
         extremes.eccentricity.t, extremes.force.value, extremes.force.t);
+    if (scene.joints[j].shear) text += loss_text(last.losses);
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
     text += fmt::format("driver       {}: moment from {:.6g} N m to {:.6g} N m\n", run.driver_names[d],

@@ -188,6 +188,17 @@ void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement)
   Scene ledger = scene;
   ledger.energy_ledger = !scene.energy_ledger;
   add("energy ledger", scene.energy_ledger, "work of each term integrated along", ledger);
+  const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
+  if (std::ranges::any_of(scene.joints, has_film)) {
+    const bool in_scene =
+        std::ranges::any_of(scene.joints, [](const SceneJoint& joint) { return joint.shear.has_value(); });
+    Scene shear = scene;
+    for (SceneJoint& joint : shear.joints) {
+      joint.shear.reset();
+      if (!in_scene && has_film(joint)) joint.shear = ShearExtent::film;
+    }
+    add("shear", in_scene, in_scene ? "no friction torque" : "friction torque of every film", shear);
+  }
   if (cost.contacts > 0) {
     add("contact", true, "films alone; dry joints left out", without_contact(scene));
   } else if (!scene.joints.empty()) {

@@ -19,8 +19,8 @@ constexpr const char* forms =
     "KEY=LO:HI:N, KEY=log:LO:HI:N or KEY=A,B,..., such as joints[0].clearance=1e-4:5e-4:5 or "
     "joints[0].film=short_half,long_half";
 
-[[noreturn]] void refuse(const std::string& text, const std::string& what, const std::string& allowed) {
-  throw std::invalid_argument("--vary " + text + ": " + what + "; allowed is " + allowed);
+[[noreturn]] void refuse(const std::string& given, const std::string& what, const std::string& allowed) {
+  throw std::invalid_argument(given + ": " + what + "; allowed is " + allowed);
 }
 
 std::vector<std::string> split(std::string_view text, char at) {
@@ -42,9 +42,9 @@ std::optional<Number> read_number(std::string_view text) {
   return value;
 }
 
-double bound(const std::string& text, const std::string& piece) {
+double bound(const std::string& given, const std::string& piece) {
   const std::optional<double> value = read_number<double>(piece);
-  if (!value || !std::isfinite(*value)) refuse(text, "bound \"" + piece + "\"", "a finite number");
+  if (!value || !std::isfinite(*value)) refuse(given, "bound \"" + piece + "\"", "a finite number");
   return *value;
 }
 
@@ -59,30 +59,30 @@ double to_15_digits(long double value) {
 }
 
 /// Values from low to high, both exact.
-std::vector<SceneValue> spread(const std::string& text, const std::vector<std::string>& pieces, bool ratios) {
-  const double low = bound(text, pieces[0]);
-  const double high = bound(text, pieces[1]);
+std::vector<double> spread(const std::string& given, const std::vector<std::string>& pieces, bool ratios) {
+  const double low = bound(given, pieces[0]);
+  const double high = bound(given, pieces[1]);
   const std::optional<std::size_t> count = read_number<std::size_t>(pieces[2]);
   if (!count || *count == 0 || *count > most_points) {
-    refuse(text, "number of values \"" + pieces[2] + "\"", "a whole number from 1 to " + std::to_string(most_points));
+    refuse(given, "number of values \"" + pieces[2] + "\"", "a whole number from 1 to " + std::to_string(most_points));
   }
-  if (*count == 1 && low != high) refuse(text, "one value between two bounds", "N of 2 or more, or LO equal to HI");
-  if (ratios && !(low > 0 && high > 0)) refuse(text, "a bound that is not above 0", "log: with bounds above 0");
-  std::vector<SceneValue> values;
+  if (*count == 1 && low != high) refuse(given, "one value between two bounds", "N of 2 or more, or LO equal to HI");
+  if (ratios && !(low > 0 && high > 0)) refuse(given, "a bound that is not above 0", "log: with bounds above 0");
+  std::vector<double> values;
   for (std::size_t i = 0; i + 1 < *count; ++i) {
     const long double share = static_cast<long double>(i) / static_cast<long double>(*count - 1);
     const auto mean = [&](long double a, long double b) { return (1 - share) * a + share * b; };
     const long double between =
         ratios ? std::exp(mean(std::log(static_cast<long double>(low)), std::log(static_cast<long double>(high))))
                : mean(low, high);
-    values.emplace_back(i == 0 ? low : to_15_digits(between));
+    values.push_back(i == 0 ? low : to_15_digits(between));
   }
-  values.emplace_back(high);
+  values.push_back(high);
   return values;
 }
 
-SceneValue listed(const std::string& text, const std::string& piece) {
-  if (piece.empty()) refuse(text, "an empty value", forms);
+SceneValue listed(const std::string& given, const std::string& piece) {
+  if (piece.empty()) refuse(given, "an empty value", forms);
   if (piece == "true" || piece == "false") return piece == "true";
   const std::optional<double> value = read_number<double>(piece);
   return value ? SceneValue(*value) : SceneValue(piece);
@@ -96,19 +96,30 @@ bool is_name(const std::string& key) {
 }  // namespace
 
 SweptKey parse_swept_key(const std::string& text) {
+  const std::string given = "--vary " + text;
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) refuse(text, "no key and values", forms);
+  if (equals == std::string::npos || equals == 0) refuse(given, "no key and values", forms);
   SweptKey swept{text.substr(0, equals), {}};
   std::string values = text.substr(equals + 1);
   const bool ratios = values.starts_with("log:");
   const std::vector<std::string> pieces = split(ratios ? values.substr(4) : values, ':');
   if (ratios || pieces.size() > 1) {
-    if (pieces.size() != 3) refuse(text, "not two bounds and a number", forms);
-    swept.values = spread(text, pieces, ratios);
+    if (pieces.size() != 3) refuse(given, "not two bounds and a number", forms);
+    for (const double value : spread(given, pieces, ratios)) swept.values.emplace_back(value);
     return swept;
   }
-  for (const std::string& piece : split(values, ',')) swept.values.push_back(listed(text, piece));
+  for (const std::string& piece : split(values, ',')) swept.values.push_back(listed(given, piece));
   return swept;
+}
+
+std::vector<double> parse_range(const std::string& option, const std::string& text) {
+  const std::string given = option + " " + text;
+  const bool ratios = text.starts_with("log:");
+  const std::vector<std::string> pieces = split(ratios ? text.substr(4) : text, ':');
+  if (pieces.size() != 3) {
+    refuse(given, "not two bounds and a number", "LO:HI:N or log:LO:HI:N, such as 50:500:10");
+  }
+  return spread(given, pieces, ratios);
 }
 
 std::string shown(const SceneValue& value) {
@@ -122,10 +133,10 @@ SweepGrid::SweepGrid(std::vector<SweptKey> keys) : keys_(std::move(keys)) {
   std::sort(keys_.begin(), keys_.end(), [](const SweptKey& a, const SweptKey& b) { return a.key < b.key; });
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     const std::string& key = keys_[i].key;
-    if (is_name(key)) refuse(key, "a name", "a quantity: rows and columns are called by names");
-    if (i > 0 && keys_[i - 1].key == key) refuse(key, "given twice", "every key once");
+    if (is_name(key)) refuse("--vary " + key, "a name", "a quantity: rows and columns are called by names");
+    if (i > 0 && keys_[i - 1].key == key) refuse("--vary " + key, "given twice", "every key once");
     if (keys_[i].values.size() > most_points / size_) {
-      refuse(key, "more points than can be meant", "at most " + std::to_string(most_points) + " in all");
+      refuse("--vary " + key, "more points than can be meant", "at most " + std::to_string(most_points) + " in all");
     }
     size_ *= keys_[i].values.size();
   }

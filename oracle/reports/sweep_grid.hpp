@@ -19,6 +19,11 @@ struct SweptKey {
 /// @throws std::invalid_argument that names --vary, what was given and what is allowed
 SweptKey parse_swept_key(const std::string& text);
 
+/// Reads LO:HI:N or log:LO:HI:N, as above.
+/// @param option  that it is the value of, for messages
+/// @throws std::invalid_argument that names the option, what was given and what is allowed
+std::vector<double> parse_range(const std::string& option, const std::string& text);
+
 /// A number as it is read back, or the text itself.
 std::string shown(const SceneValue& value);
 

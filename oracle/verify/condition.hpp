@@ -48,8 +48,8 @@ Conjunction read_conditions(Quantities quantities, std::string_view text);
 /// Any of several conjunctions; none where it is not known.
 using Domain = std::vector<Conjunction>;
 
-/// The simplest domain that holds all states of a set but one in a hundred, and of the others one in two hundred at
-/// most; empty if there is none, or if the set is empty or everything.
+/// The simplest domain that holds nine states of a set in ten, and of the others none, or if that fails one in two
+/// hundred; empty if there is none, or if the set is empty or everything.
 /// @param in_set  one entry a state: 1 in the set, 0 not, −1 of no matter
 Domain domain_of(Quantities quantities, const std::vector<State>& states, const std::vector<int>& in_set);
 std::string words(const Domain& domain);

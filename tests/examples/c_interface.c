@@ -60,6 +60,40 @@ int main(void) {
   }
   if (fabs(radial[0] + (arm + e) * f) > 1e-15 || fabs(tangential[0] - arm * f) > 1e-15) return 16;
 
+  /* a concentric journal: Petroff's torque, half of it on the half film */
+  const double spin = 50;
+  double torque[2], power[1], flow[1];
+  const lubjoint_motion turning = {all(&zero), all(&zero), all(&zero), all(&zero), all(&zero), all(&spin)};
+  const lubjoint_losses losses = {{&torque[0], 8}, {&torque[1], 8}, {power, 8}, {flow, 8}};
+  const double petroff = 2 * pi * 0.04 * spin * pow(0.01, 3) * 0.04 / 2e-4;
+  if (lubjoint_film_losses("short_half", &bearing, "film", 1, &turning, &losses)) return 30;
+  if (fabs(torque[0] + petroff / 2) > 1e-14 * petroff || fabs(power[0] - spin * petroff / 2) > 1e-12) return 31;
+  if (lubjoint_film_losses("short_half", &bearing, "flooded", 1, &turning, &losses)) return 32;
+  if (fabs(torque[1] - petroff) > 1e-14 * petroff || flow[0] != 0) return 33;
+  if (lubjoint_film_losses("long_half", &bearing, "film", 1, &turning, &losses) != EINVAL) return 34;
+  if (!strstr(lubjoint_message(), "side_flow")) return 35;
+  if (lubjoint_film_losses("short_full", &bearing, "striated", 1, &turning, &losses) != EINVAL) return 36;
+  if (lubjoint_film_losses("short_full", &bearing, "wet", 1, &turning, &losses) != EINVAL) return 37;
+
+  /* stiffness and damping of the short half film at 0.5, dimensionless: known to 20 digits */
+  double number[11];
+  lubjoint_coefficients rest;
+  for (int k = 0; k < 4; ++k) {
+    rest.stiffness[k] = (lubjoint_out){&number[2 + k], 8};
+    rest.damping[k] = (lubjoint_out){&number[6 + k], 8};
+  }
+  rest.load = (lubjoint_out){&number[0], 8};
+  rest.attitude = (lubjoint_out){&number[1], 8};
+  rest.critical_mass = (lubjoint_out){&number[10], 8};
+  if (lubjoint_film_coefficients("short_half", &bearing, 1, all(&half), all(&spin), &rest)) return 38;
+  const double unit = 2e-4 / number[0];
+  if (fabs(unit * number[2] - 2.9232504981753439929) > 1e-14) return 39;
+  if (fabs(unit * spin * number[7] - 2.244955497755921797) > 1e-14) return 40;
+  if (fabs(unit * spin * spin * number[10] - 6.4603957523295151749) > 1e-13) return 41;
+  if (lubjoint_film_coefficients("short_half", &bearing, 1, all(&zero), all(&spin), &rest) != EDOM) return 42;
+  if (lubjoint_film_coefficients("short_half", &bearing, 1, all(&half), all(&zero), &rest) != EDOM) return 43;
+  if (!strstr(lubjoint_message(), "row 0") || !strstr(lubjoint_message(), "spin 0")) return 44;
+
   /* many rows: columns of a table, answered in its own columns, have the bits of arrays without gaps */
   enum { rows = 1500 };
   static double table[rows][3], column[3][rows], answer[2][rows];
@@ -95,12 +129,13 @@ int main(void) {
   if (lubjoint_polar_force("pinkus_sternlicht", &bearing, rows, gap, in[1], in[2], out[0], out[1]) != EDOM) return 22;
   if (!strstr(lubjoint_message(), "row 1200:") || answer[0][1199] == -7 || answer[0][1200] != -7) return 23;
 
-  /* a force that is the next row's eccentricity ratio: row by row, in order; the film of the third row is the second's */
+  /* a force that is the next row's eccentricity ratio: row by row, in order; the film of the third row is the second's
+   */
   double chain[3] = {0.5, 0.5, 0.5};
   const lubjoint_bearing weak = {1e-9, 0.04, 0.01, 2e-4};
   const lubjoint_out next = {chain + 1, sizeof(double)};
-  if (lubjoint_polar_force("short_full", &weak, 2, (lubjoint_in){chain, sizeof(double)}, all(&zero), all(&minus),
-                           next, to_tangential)) {
+  if (lubjoint_polar_force("short_full", &weak, 2, (lubjoint_in){chain, sizeof(double)}, all(&zero), all(&minus), next,
+                           to_tangential)) {
     return 24;
   }
   double second, first;

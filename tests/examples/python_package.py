@@ -76,6 +76,23 @@ assert numpy.allclose(moments, (-(0.1 + 1e-4) * fy, -0.1 * fy), rtol=1e-15)  # r
 contact = lubjoint.Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, impact_speed=0.1)
 assert lubjoint.transition_force("long_half", bearing, contact, 3e-4, 0, 0, 0, 0, 0)[0] < 0
 assert len(lubjoint.laws()) == 8
+losses = lubjoint.film_losses("short_dynamic", bearing, 0, 0, [1e-3, 0], 0, 0, 50)
+assert losses.power.shape == (2,) and losses.power[0] > losses.power[1] > 0 and losses.side_flow[1] == 0
+assert lubjoint.film_losses("long_half", bearing, 0, 0, 0, 0, 0, 50).side_flow is None
+half, flooded = (lubjoint.film_losses("long_half", bearing, 0, 0, 0, 0, 0, 50, shear=s) for s in ("film", "flooded"))
+assert abs(flooded.power - 2 * half.power) < 1e-13 * flooded.power  # a concentric film, half of it sheared
+rest = lubjoint.film_coefficients("short_half", bearing, [0.5, 0.8], 50)
+assert rest.stiffness.shape == (2, 2, 2) and numpy.isinf(rest.critical_mass[1])
+assert abs(bearing.clearance * rest.stiffness[0, 0, 1] / rest.load[0] - 3.9766424213158496574) < 1e-14
+backward = lubjoint.film_coefficients("short_half", bearing, 0.5, -50)
+assert backward.damping[0, 1] == -rest.damping[0, 0, 1] and backward.critical_mass == rest.critical_mass[0]
+for bad in ((lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
+            (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1))):
+    try:
+        bad()
+        raise SystemExit("not refused")
+    except ValueError:
+        pass
 
 
 

@@ -8,15 +8,20 @@
 Units are SI. Arrays are read and written where they are, with their strides; nothing is copied that is of type float64.
 """
 
-from ._film import Bearing, Contact, joint_moments, journal_force, laws, polar_force, transition_force, version
+from ._film import (Bearing, Coefficients, Contact, Losses, film_coefficients, film_losses, joint_moments, journal_force,
+                    laws, polar_force, transition_force, version)
 from ._verify import Report, states, verify
 
 __version__ = version()
 
 __all__ = [
     "Bearing",
+    "Coefficients",
     "Contact",
+    "Losses",
     "Report",
+    "film_coefficients",
+    "film_losses",
     "joint_moments",
     "journal_force",
     "laws",

@@ -26,6 +26,14 @@ class _Motion(ctypes.Structure):
     _fields_ = [(name, _In) for name in ("ex", "ey", "vx", "vy", "omega_bearing", "omega_journal")]
 
 
+class _Losses(ctypes.Structure):
+    _fields_ = [(name, _In) for name in ("torque_journal", "torque_bearing", "power", "side_flow")]
+
+
+class _Coefficients(ctypes.Structure):
+    _fields_ = [("load", _In), ("attitude", _In), ("stiffness", 4 * _In), ("damping", 4 * _In), ("critical_mass", _In)]
+
+
 _bearing_pointer = ctypes.POINTER(_BearingStruct)
 _motion_pointer = ctypes.POINTER(_Motion)
 _library.lubjoint_message.restype = ctypes.c_char_p
@@ -36,6 +44,10 @@ _library.lubjoint_polar_force.argtypes = [ctypes.c_char_p, _bearing_pointer, cty
 _library.lubjoint_journal_force.argtypes = [ctypes.c_char_p, _bearing_pointer, ctypes.c_size_t, _motion_pointer, _In, _In]
 _library.lubjoint_transition_force.argtypes = [
     ctypes.c_char_p, _bearing_pointer, ctypes.POINTER(_ContactStruct), ctypes.c_size_t, _motion_pointer, _In, _In]
+_library.lubjoint_film_losses.argtypes = [
+    ctypes.c_char_p, _bearing_pointer, ctypes.c_char_p, ctypes.c_size_t, _motion_pointer, ctypes.POINTER(_Losses)]
+_library.lubjoint_film_coefficients.argtypes = [
+    ctypes.c_char_p, _bearing_pointer, ctypes.c_size_t, _In, _In, ctypes.POINTER(_Coefficients)]
 _library.lubjoint_joint_moments.argtypes = [ctypes.c_size_t] + 10 * [_In]
 
 
@@ -146,3 +158,58 @@ def joint_moments(ex, ey, sx_i, sy_i, sx_j, sy_j, fx, fy, out=None):
     batch = _Batch([ex, ey, sx_i, sy_i, sx_j, sy_j, fx, fy], out)
     _check(_library.lubjoint_joint_moments(batch.count, *batch.inputs, *batch.outputs))
     return batch.answers()
+
+
+@dataclass(frozen=True)
+class Losses:
+    """What the oil costs: torques on journal and bearing about their own centres [N m], the power lost in the film [W],
+    and the flow out of both sides [m^3/s], None for a long bearing, which has none."""
+
+    torque_journal: object
+    torque_bearing: object
+    power: object
+    side_flow: object
+
+
+@dataclass(frozen=True)
+class Coefficients:
+    """A journal at rest on its film; x along the load on the journal, y 90 degrees counter-clockwise of it: load [N],
+    attitude [rad] (from the load to e, positive in the sense of the spin), stiffness [N/m] and damping [N s/m] of shape
+    (2, 2) or (n, 2, 2), critical mass of a rigid rotor per bearing [kg]: inf where every mass is stable, 0 where none is."""
+
+    load: object
+    attitude: object
+    stiffness: object
+    damping: object
+    critical_mass: object
+
+
+def _rows(count, width):
+    block = numpy.empty((width, count))
+    return block, [_In(row.ctypes.data, row.strides[0]) for row in block]
+
+
+def film_losses(law, bearing, ex, ey, vx, vy, omega_bearing, omega_journal, shear="film"):
+    """Friction torques, power and side flow; shear is "film", "flooded" or, for half films, "striated"."""
+    batch = _Batch([ex, ey, vx, vy, omega_bearing, omega_journal], None)
+    block, outputs = _rows(batch.count, 4)
+    has_flow = law.startswith("short")
+    if not has_flow:
+        outputs[3] = _In(None, 0)
+    _check(_library.lubjoint_film_losses(law.encode(), bearing._struct(), shear.encode(), batch.count,
+                                         _Motion(*batch.inputs), _Losses(*outputs)))
+    answers = list(block) if batch.shape else [float(row[0]) for row in block]
+    return Losses(answers[0], answers[1], answers[2], answers[3] if has_flow else None)
+
+
+def film_coefficients(law, bearing, eccentricity_ratio, omega):
+    """Load, attitude, stiffness, damping and critical mass of a journal of spin omega [rad/s], of either sign and not 0,
+    that rests at an eccentricity ratio above 0 and below 1 in a bearing that does not turn."""
+    batch = _Batch([eccentricity_ratio, omega], None)
+    block, outputs = _rows(batch.count, 11)
+    struct = _Coefficients(outputs[0], outputs[1], (4 * _In)(*outputs[2:6]), (4 * _In)(*outputs[6:10]), outputs[10])
+    _check(_library.lubjoint_film_coefficients(law.encode(), bearing._struct(), batch.count, *batch.inputs, struct))
+    stiffness, damping = (block[first:first + 4].T.reshape(-1, 2, 2) for first in (2, 6))
+    if batch.shape:
+        return Coefficients(block[0], block[1], stiffness, damping, block[10])
+    return Coefficients(float(block[0, 0]), float(block[1, 0]), stiffness[0], damping[0], float(block[10, 0]))

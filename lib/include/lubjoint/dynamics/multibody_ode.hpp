@@ -96,6 +96,10 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
       add(LedgerTerm::film, joint.film_power());
       if (has_contact_) add(LedgerTerm::contact, joint.contact_power());
     }
+    for (std::size_t k = 0; k < w.shear_torques.size(); ++k) {
+      const JournalMotion<T>& motion = w.joints[system_.sheared_joints()[k]].kinematics.motion;
+      add(LedgerTerm::film, T(w.shear_torques[k] * (motion.journal_spin - motion.bearing_spin)));
+    }
     for (std::size_t c = 0; c < system_.constraints().size(); ++c) {
       const LedgerTerm term = system_.constraints()[c].is_driver() ? LedgerTerm::drivers : LedgerTerm::constraints;
       for (std::size_t row = system_.first_row(c); row < system_.first_row(c + 1); ++row) {

@@ -17,13 +17,19 @@ namespace lubjoint {
 namespace detail {
 
 template <class R>
-JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& force) {
+JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& force, const JointMemory<R>& memory) {
   using std::sqrt;
   const Vector2<R>& e = force.kinematics.motion.eccentricity;
   const R distance = sqrt(R(e.x() * e.x() + e.y() * e.y()));
-  return {e.template cast<double>(), force.total().template cast<double>(),
-          static_cast<double>(distance / joint.bearing.clearance()),
-          static_cast<double>(joint.bearing.clearance() - distance)};
+  JointSample sample{e.template cast<double>(), force.total().template cast<double>(),
+                     static_cast<double>(distance / joint.bearing.clearance()),
+                     static_cast<double>(joint.bearing.clearance() - distance)};
+  if (const auto losses = joint.losses(force, memory)) {
+    sample.losses = {static_cast<double>(losses->torque_journal), static_cast<double>(losses->torque_bearing),
+                     static_cast<double>(losses->power), std::nullopt};
+    if (losses->side_flow) sample.losses.side_flow = static_cast<double>(*losses->side_flow);
+  }
+  return sample;
 }
 
 /// Keeps the largest value of one quantity, and the steps on both sides of it; the peak itself is searched at the end.
@@ -205,7 +211,8 @@ class MultibodyRecorder {
     sample.t = narrow(t);
     for (std::size_t i = 0; i < ode_.mechanical_states(); ++i) sample.state.push_back(narrow(y[i]));
     for (std::size_t j = 0; j < w.joints.size(); ++j) {
-      sample.joints.push_back(detail::joint_sample(ode_.system().joints()[j], w.joints[j]));
+      const JointMemory<R> at_j = memory.empty() ? JointMemory<R>() : memory[j];
+      sample.joints.push_back(detail::joint_sample(ode_.system().joints()[j], w.joints[j], at_j));
     }
     for (const std::size_t c : drivers_) sample.driving_moments.push_back(moment(w, c));
     if (ode_.with_ledger()) {

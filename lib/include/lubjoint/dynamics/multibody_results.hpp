@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lubjoint/film/vector.hpp"
@@ -14,7 +15,8 @@ namespace lubjoint {
 enum class LedgerTerm {
   loads,       ///< of constant forces other than weight, and constant moments
   drivers,     ///< of the drivers' moments
-  film,        ///< of the films on their pairs: may be positive, whirl takes from a spin that pays no shear torque
+  film,        ///< of the films on their pairs, friction torque included: never positive with shear. Without it whirl
+               ///< takes from a spin that pays no torque
   contact,     ///< of dry contact and friction
   constraints  ///< of the other constraints: zero but for their drift
 };
@@ -23,12 +25,22 @@ inline constexpr std::size_t ledger_terms = 5;  ///< number of them
 inline constexpr std::array<const char*, ledger_terms> ledger_names = {"loads", "drivers", "film", "contact",
                                                                        "constraints"};
 
+/// What the oil of a joint with shear costs at an instant; what is not defined (in dry contact; the side flow of a long
+/// bearing) is not there.
+struct LossSample {
+  std::optional<double> torque_journal;  ///< about the journal's centre [N m]
+  std::optional<double> torque_bearing;  ///< about the bearing's centre [N m]
+  std::optional<double> power;           ///< lost in the film [W]
+  std::optional<double> side_flow;       ///< out of both sides [m³/s]
+};
+
 /// A joint at an instant.
 struct JointSample {
   Vector2<double> eccentricity;  ///< e [m]
   Vector2<double> force;         ///< on the journal [N]
   double eccentricity_ratio;     ///< ε = |e|/c
   double film_thickness;         ///< c − |e|; negative in contact [m]
+  LossSample losses = {};        ///< of a joint with shear
 };
 
 /// A system at an instant.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/losses.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/joint/lubricated_joint.hpp"
 #include "lubjoint/joint/transition.hpp"
@@ -72,6 +73,33 @@ struct JointForce {
   }
 };
 
+/// Shear of a joint's oil: what the film's law does not say.
+template <class R>
+struct JointShear {
+  ShearedGap gap;      ///< that is sheared
+  BearingLimit limit;  ///< of the law: has it a side flow?
+  FilmExtent extent;   ///< of the law's film
+  Bearing<R> bearing;  ///< of the film: with a transition, of clearance c + e₁
+  R torque_scale;      ///< μR³L/c of that bearing [N m s]
+};
+
+/// What the oil of a joint with shear costs; what is undefined is not there.
+template <class T>
+struct JointLosses {
+  T torque_journal;            ///< on the journal about its centre [N m]
+  T torque_bearing;            ///< on the bearing about its centre [N m]
+  T power;                     ///< lost in the film [W]
+  std::optional<T> side_flow;  ///< out of both sides [m³/s]
+};
+
+/// The shear of a law in a bearing. @throws std::invalid_argument if the law has not this shear
+template <class R>
+JointShear<R> make_shear(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil, ShearExtent shear) {
+  return with_film_law(law, [&]<class Law>() {
+    return JointShear<R>{sheared_gap<Law>(shear), Law::limit, Law::extent, bearing, couette_scale(bearing, oil)};
+  });
+}
+
 /// A joint with clearance between two bodies: a film, dry contact, or both with a transition.
 template <class R>
 struct JointElement {
@@ -82,6 +110,8 @@ struct JointElement {
   std::optional<AnyFilm<R>> film;  ///< with a transition, of clearance c + e₁
   /// None: the film alone.
   std::optional<JointContact<R>> contact;
+  /// None: no friction torque. A joint with shear has a film.
+  std::optional<JointShear<R>> shear = std::nullopt;
 
   bool has_contact() const { return contact.has_value(); }  ///< does it need events?
 
@@ -124,7 +154,46 @@ struct JointElement {
     return result;
   }
 
+  /// T_J = −T_C − ½ e×F on the journal about its centre [N m], T_C and the film's force F times the film's share in
+  /// the blend of eq. 20; 0 in dry contact. The bearing gets −T_J beside −F at the journal's centre, which together are
+  /// T_B = T_C − ½ e×F about its own. Needs shear.
+  /// @param force  of this joint, with the same memory
+  template <class T>
+  T shear_torque(const JointForce<T>& force, const JointMemory<R>& memory) const {
+    if (contact && memory.phase == ContactPhase::dry) return T(0);
+    const JournalMotion<T>& motion = force.kinematics.motion;
+    const T rate = shear->torque_scale * couette_integral(sheared_film(motion), shear->gap);
+    T couette = rate * (motion.journal_spin - motion.bearing_spin);
+    if (contact && memory.phase == ContactPhase::blend) {
+      couette = couette * (1 - (norm(motion.eccentricity) - bearing.clearance()) / contact->transition->e0);
+    }
+    return T(-couette - cross(motion.eccentricity, force.film) / 2);
+  }
+
+  /// Torques, power and side flow of a joint with shear; nothing in dry contact, and no side flow in the blend.
+  template <class T>
+  std::optional<JointLosses<T>> losses(const JointForce<T>& force, const JointMemory<R>& memory) const {
+    if (!shear || (contact && memory.phase == ContactPhase::dry)) return std::nullopt;
+    const JournalMotion<T>& motion = force.kinematics.motion;
+    const T on_journal = shear_torque(force, memory);
+    JointLosses<T> result{on_journal, T(-on_journal - cross(motion.eccentricity, force.film)),
+                          T(-force.film_power() - on_journal * (motion.journal_spin - motion.bearing_spin)),
+                          std::nullopt};
+    if (contact && memory.phase == ContactPhase::blend) return result;
+    result.side_flow = side_flow(shear->bearing, sheared_film(motion), shear->limit, shear->extent);
+    return result;
+  }
+
  private:
+  /// Of a motion whose film has just been asked for its force, and looked at there.
+  template <class T>
+  FilmState<T> sheared_film(const JournalMotion<T>& motion) const {
+    const R& clearance = shear->bearing.clearance();
+    const Vector2<T> e_hat = eccentricity_in_clearances(motion, clearance);
+    return FilmState<T>(e_hat, pure_squeeze_velocity(motion, clearance, e_hat),
+                        one_minus_squared_norm<T>(e_hat.x(), e_hat.y()), Unchecked());
+  }
+
   template <class T>
   Vector2<T> film_force(const JournalMotion<T>& motion) const {
     return std::visit([&](const auto& law) { return law.force(film_state(motion, law.bearing().clearance())); }, *film);

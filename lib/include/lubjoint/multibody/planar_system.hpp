@@ -54,6 +54,7 @@ struct SystemWorkspace {
   PlanarFrame<T> ground{ground_motion<T>()};  ///< what stands in for a body
   std::vector<ConstraintRow<T>> rows;         ///< of Φ = 0
   std::vector<JointForce<T>> joints;          ///< what each joint does
+  std::vector<T> shear_torques;               ///< T_J of each joint with shear, in the order of sheared_joints
   std::vector<T> forces;                      ///< g: loads, weights and joints
   std::vector<T> accelerations;               ///< q̈
   std::vector<T> multipliers;                 ///< λ
@@ -79,15 +80,20 @@ class PlanarSystem {
         gravity_(gravity),
         stabilisation_(stabilisation) {
     for (const PlanarBody<R>& body : bodies_) inverse_mass_.push_back(body.inverse_mass());
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      if (joints_[j].shear) sheared_joints_.push_back(j);
+    }
     find_structure();
   }
 
   const std::vector<PlanarBody<R>>& bodies() const { return bodies_; }                 ///< in their order
   const std::vector<NamedConstraint<R>>& constraints() const { return constraints_; }  ///< in their order
   const std::vector<JointElement<R>>& joints() const { return joints_; }               ///< in their order
-  const Vector2<R>& gravity() const { return gravity_; }                               ///< [m/s²]
-  std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }      ///< number of q
-  std::size_t constraint_rows() const { return first_row_.back(); }                    ///< number of λ
+  /// Numbers of the joints whose oil is sheared.
+  const std::vector<std::size_t>& sheared_joints() const { return sheared_joints_; }
+  const Vector2<R>& gravity() const { return gravity_; }                           ///< [m/s²]
+  std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }  ///< number of q
+  std::size_t constraint_rows() const { return first_row_.back(); }                ///< number of λ
   /// Number of the first λ of a constraint.
   std::size_t first_row(std::size_t constraint) const { return first_row_[constraint]; }
   /// 1/m, 1/m, 1/I of a body.
@@ -100,6 +106,7 @@ class PlanarSystem {
     w.frames.assign(bodies_.size(), PlanarFrame<T>(ground_motion<T>()));
     w.rows.resize(constraint_rows());
     w.joints.resize(joints_.size());
+    w.shear_torques.resize(sheared_joints_.size());
     w.forces.resize(coordinates());
     w.accelerations.resize(coordinates());
     w.multipliers.resize(constraint_rows());
@@ -166,6 +173,14 @@ class PlanarSystem {
       const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
       add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);
       add(joint.journal_at.body, wrenches.journal, force.contact.couple, w);
+    }
+    for (std::size_t k = 0; k < sheared_joints_.size(); ++k) {
+      const std::size_t j = sheared_joints_[k];
+      const JointElement<R>& joint = joints_[j];
+      const T torque = joint.shear_torque(w.joints[j], memory.empty() ? no_memory : memory[j]);
+      w.shear_torques[k] = torque;
+      if (joint.journal_at.body != ground_body) w.forces[3 * joint.journal_at.body + 2] += torque;
+      if (joint.bearing_at.body != ground_body) w.forces[3 * joint.bearing_at.body + 2] -= torque;
     }
   }
 
@@ -389,6 +404,7 @@ class PlanarSystem {
   std::vector<PlanarBody<R>> bodies_;
   std::vector<NamedConstraint<R>> constraints_;
   std::vector<JointElement<R>> joints_;
+  std::vector<std::size_t> sheared_joints_;
   Vector2<R> gravity_;
   Baumgarte<R> stabilisation_;
   std::vector<std::array<R, 3>> inverse_mass_;

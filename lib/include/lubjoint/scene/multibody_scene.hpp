@@ -22,6 +22,9 @@ struct SceneUnits {
   double energy;     ///< [J]
 };
 
+/// What the driver is called that holds a body's spin; its moment is the one that this takes.
+inline std::string held_spin_name(const SceneBody& body) { return body.name + ".spin"; }
+
 /// The scene's bodies, constraints and joints on any scalar.
 template <class R>
 PlanarSystem<R> planar_system(const Scene& scene) {
@@ -56,6 +59,11 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     }
     constraints.push_back({each.name, made});
   }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const SceneBody& body = scene.bodies[b];
+    if (!body.spin_is_held) continue;
+    constraints.push_back({held_spin_name(body), Driver<R>{ground_body, b, R(body.angle), R(body.spin), R(0)}});
+  }
   std::vector<JointElement<R>> joints;
   for (const SceneJoint& each : scene.joints) {
     // A dry joint's length enters nothing.
@@ -64,8 +72,10 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     JointElement<R> joint{each.name, point(each.bearing), point(each.journal), bearing, std::nullopt, std::nullopt};
     if (each.film != no_film) {
       const R widening = each.transition ? R(each.transition->e1) : R(0);
-      joint.film = make_film<R>(each.film, Bearing<R>(length, bearing.radius(), R(bearing.clearance() + widening)),
-                                Lubricant<R>(R(each.viscosity)));
+      const Bearing<R> of_film(length, bearing.radius(), R(bearing.clearance() + widening));
+      const Lubricant<R> oil{R(each.viscosity)};
+      joint.film = make_film<R>(each.film, of_film, oil);
+      if (each.shear) joint.shear = make_shear<R>(each.film, of_film, oil, *each.shear);
     }
     if (each.contact) {
       const SceneContact& c = *each.contact;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lubjoint/dynamics/outcome.hpp"
+#include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/film/vector.hpp"
 
 namespace lubjoint {
@@ -21,6 +22,7 @@ struct SceneBody {
   double angle = 0;                ///< [rad]
   Vector2<double> velocity{0, 0};  ///< of the mass centre [m/s]
   double spin = 0;                 ///< [rad/s]
+  bool spin_is_held = false;       ///< prescribed for the whole run, by whatever torque that takes
 };
 
 /// A constant force on a body, inertial, through its mass centre, and a constant moment.
@@ -70,6 +72,7 @@ struct SceneJoint {
   SceneAnchor journal;                        ///< its centre
   std::optional<SceneTransition> transition;  ///< none: film alone, or contact alone
   std::optional<SceneContact> contact;        ///< none: the run stops at ε = 1
+  std::optional<ShearExtent> shear;           ///< none: no friction torque
 };
 
 /// A body held where it is.

@@ -1,0 +1,44 @@
+#include <iostream>
+
+#include "lubjoint/film/law_list.hpp"
+#include "oracle/cli/bearing_options.hpp"
+#include "oracle/cli/name_option.hpp"
+#include "oracle/reports/files.hpp"
+#include "oracle/reports/losses_table.hpp"
+
+namespace lubjoint::cli {
+
+void add_losses(CLI::App& app, Action& action) {
+  struct Options : BearingOptions {
+    std::string law;
+    std::string states;
+    std::string shear = "film";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("losses", "Friction torques, power and side flow of a film at given motions, CSV in and out");
+  command->add_option("--law", options->law, "Film law")->required();
+  command
+      ->add_option("--states", options->states,
+                   "CSV with ex,ey,vx,vy,omega_bearing,omega_journal (SI, inertial);\n- is stdin")
+      ->required();
+  options->add(*command);
+  command->add_option("--shear", options->shear,
+                      "What is sheared: film (where the law's film is; default), flooded\n(the whole gap) or striated "
+                      "(half films: streaks behind the minimum film)");
+  command->callback([options, &action] {
+    action = [options] {
+      require_name("--law", options->law, film_law_names);
+      require_name("--shear", options->shear, shear_extent_names);
+      const ShearExtent shear = shear_extent(options->shear);
+      with_film_law(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
+      const Bearing<double> bearing = options->bearing();
+      const Lubricant<double> oil = options->oil();
+      const reports::CsvTable states(reports::read_input(options->states), reports::input_name(options->states));
+      std::cout << reports::losses_csv(states, options->law, bearing, oil, shear);
+      return 0;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli
