@@ -129,15 +129,25 @@ TEST_CASE("verify: a trajectory with a few columns on few times is judged by the
 TEST_CASE("verify: a clearance that is one per cent off is named") {
   check_disagrees(
       verified("slider-crank", changed_scene_csv("slider-crank", "clearance = 0.0002", "clearance = 0.000202")),
-      "the clearance of gudgeon-pin were 1.01 times");
+      "the clearance of gudgeon-pin were 1.0100 times");
   check_disagrees(verified("journal", changed_scene_csv("journal", "clearance = 0.0002", "clearance = 0.000202")),
-                  "the clearance of bearing were 1.01 times");
+                  "the clearance of bearing were 1.0100 times");
 }
 
 TEST_CASE("verify: a moment that is one per cent off is named") {
   check_disagrees(
       verified("slider-crank-torque", changed_scene_csv("slider-crank-torque", "moment = 10.0", "moment = 10.1")),
-      "the load on crank were 1.01 times");
+      "the load on crank were 1.0100 times");
+}
+
+TEST_CASE("verify: a viscosity that is ten times as large is fitted, and so are two numbers at once") {
+  check_disagrees(verified("journal", changed_scene_csv("journal", "viscosity = 0.4", "viscosity = 4.0")),
+                  "the viscosity of bearing were 10.000 times");
+  const TemporaryFolder folder;
+  const std::string text = replaced(replaced(read_text(shipped("journal")), "viscosity = 0.4", "viscosity = 0.36"),
+                                    "mass = 0.13", "mass = 0.14");
+  check_disagrees(verified("journal", simulated_csv(folder.write("scene.toml", text), "journal")),
+                  "the viscosity of bearing were 0.90000 times as large, and the mass of journal were 1.0769 times");
 }
 
 TEST_CASE("verify: a trajectory that is late is told from one that is wrong") {

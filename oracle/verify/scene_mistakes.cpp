@@ -81,6 +81,9 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
                       std::get<SceneDriver>(changed.constraints[c].kind).speed *= factor;
                     }});
   }
+  if (!is_zero(scene.gravity)) {
+    list.push_back({"gravity", [](Scene& changed, double factor) { changed.gravity *= factor; }});
+  }
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     list.push_back({"the load on " + scene.bodies[scene.loads[l].body].name, [l](Scene& changed, double factor) {
                       changed.loads[l].force *= factor;

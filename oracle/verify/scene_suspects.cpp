@@ -8,8 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "lubjoint/scene/scene_file.hpp"
-#include "oracle/verify/answers.hpp"
+#include "oracle/verify/scene_fit.hpp"
 #include "oracle/verify/scene_mistakes.hpp"
 
 namespace lubjoint::verify {
@@ -24,82 +23,13 @@ double dot(const std::vector<double>& x, const std::vector<double>& y) {
 
 double norm(const std::vector<double>& x) { return std::sqrt(dot(x, x)); }
 
-/// x − factor y
-std::vector<double> less(std::vector<double> x, double factor, const std::vector<double>& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
-  return x;
-}
-
-/// The failing signals as one list of numbers, each over what is allowed.
-class Failing {
- public:
-  Failing(const SceneReference& reference, const TrajectoryVerification& verification)
-      : reference_(reference), deviations_(verification.deviations) {
-    for (const Deviation& d : deviations_) {
-      if (d.agrees()) continue;
-      for (std::size_t k = 0; k < d.given.size(); ++k) {
-        for (std::size_t i = 0; i < d.t.size(); ++i) {
-          error_.push_back((d.given[k][i] - d.expected[k][i]) / d.allowed[i]);
-        }
-      }
-    }
-  }
-
-  const std::vector<double>& error() const { return error_; }
-
-  /// How far another scene's run is from the reference; none if it does not run to the end.
-  std::optional<std::vector<double>> shift(const Scene& scene) const {
-    try {
-      const Trajectory run = simulated(scene);
-      std::vector<double> list;
-      for (const Deviation& d : deviations_) {
-        if (d.agrees()) continue;
-        const Curves curve(samples_of(d.signal, run));
-        for (std::size_t k = 0; k < d.given.size(); ++k) {
-          for (std::size_t i = 0; i < d.t.size(); ++i) {
-            list.push_back((curve(k, std::min(d.t[i], curve.last())) - d.expected[k][i]) / d.allowed[i]);
-          }
-        }
-      }
-      return list;
-    } catch (const UnjudgedError&) {
-      return {};
-    } catch (const SceneError&) {
-      return {};  // a change that makes no scene
-    } catch (const std::invalid_argument&) {
-      return {};
-    }
-  }
-
-  double share(const std::vector<double>& explained) const {
-    return 1 - norm(less(error_, 1, explained)) / norm(error_);
-  }
-
-  /// The scene with settings of which a search can afford many runs.
-  Scene scene() const {
-    Scene scene = reference_.scene;
-    scene.integrator = "radau_iia5";
-    scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-9;
-    scene.run.max_steps = std::min(scene.run.max_steps, most_steps);
-    return scene;
-  }
-
- private:
-  const SceneReference& reference_;
-  const std::vector<Deviation>& deviations_;
-  /// Ten times what the longest shipped scene takes; a change that needs more is no likely mistake.
-  static constexpr std::size_t most_steps = 20'000;
-
-  std::vector<double> error_;
-};
-
 /// What explanations of the single signals amount to: one cause of all, or a list of them.
 struct CommonSuspect {
   Suspect suspect{"", 0};
   bool one_cause = false;
 };
 
-std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, const Failing& failing) {
+std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, const FailingSignals& failing) {
   double left = 0;
   std::vector<double> delays;
   std::size_t count = 0, explained = 0, offsets = 0;
@@ -152,54 +82,7 @@ std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, con
   return CommonSuspect{{all, share}, words.size() == 1};
 }
 
-/// A number of the scene whose factor is fitted, by Gauss and Newton.
-class Fit {
- public:
-  Fit(const Failing& failing, SceneNumber number) : failing_(&failing), number_(std::move(number)) {
-    constexpr double step = 1e-3;
-    const auto moved = run(1 + step);
-    if (!moved) return;
-    slope_ = *moved;
-    for (double& value : slope_) value /= step;
-    if (norm(slope_) < 1e-3) return;  // the number does not matter
-    factor_ = 1 + dot(slope_, failing_->error()) / dot(slope_, slope_);
-    linear_share_ = failing_->share(less(std::vector<double>(slope_.size(), 0), 1 - factor_, slope_));
-  }
-
-  double linear_share() const { return linear_share_; }
-
-  /// Two steps of it, the better one.
-  std::optional<Suspect> refined() const {
-    Suspect best{"", 0};
-    double factor = factor_;
-    for (int i = 0; i < 3; ++i) {
-      if (!(factor > 0.2 && factor < 5)) break;
-      const auto shift = run(factor);
-      if (!shift) break;
-      const double share = failing_->share(*shift);
-      if (share > best.share) best = {fmt::format("as if {} were {:.5g} times as large", number_.words, factor), share};
-      factor += dot(slope_, less(failing_->error(), 1, *shift)) / dot(slope_, slope_);
-    }
-    return best.share > 0 ? std::optional(best) : std::nullopt;
-  }
-
- private:
-  std::optional<std::vector<double>> run(double factor) const {
-    Scene scene = failing_->scene();
-    number_.scale(scene, factor);
-    return failing_->shift(scene);
-  }
-
-  const Failing* failing_;
-  SceneNumber number_;
-  std::vector<double> slope_;
-  double factor_ = 1;
-  double linear_share_ = 0;
-};
-
-constexpr std::size_t most_refined = 4;
-
-std::vector<Suspect> scene_suspects(const SceneReference& reference, const Failing& failing,
+std::vector<Suspect> scene_suspects(const SceneReference& reference, const FailingSignals& failing,
                                     const std::function<void()>& progress) {
   std::vector<Suspect> list;
   for (const SceneChange& change : changes_of(reference.scene)) {
@@ -208,22 +91,12 @@ std::vector<Suspect> scene_suspects(const SceneReference& reference, const Faili
     change.apply(scene);
     if (const auto shift = failing.shift(scene)) list.push_back({"as if " + change.words, failing.share(*shift)});
   }
-  std::vector<Fit> fits;
-  for (const SceneNumber& number : numbers_of(reference.scene)) {
-    if (progress) progress();
-    fits.emplace_back(failing, number);
-  }
-  std::ranges::stable_sort(fits, std::ranges::greater(), &Fit::linear_share);
-  for (std::size_t i = 0; i < fits.size() && i < most_refined; ++i) {
-    if (fits[i].linear_share() < 0.3) break;
-    if (progress) progress();
-    if (const auto suspect = fits[i].refined()) list.push_back(*suspect);
-  }
+  for (const Suspect& suspect : fitted_numbers(reference, failing, progress)) list.push_back(suspect);
   return list;
 }
 
 /// The tolerance at which our own run is about as wrong; none between 1e-6 and 1e-2.
-std::optional<Suspect> inaccurate(const Failing& failing) {
+std::optional<Suspect> inaccurate(const FailingSignals& failing) {
   for (const double tolerance : {1e-5, 1e-4, 1e-3, 1e-2}) {
     Scene scene = failing.scene();
     scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
@@ -241,7 +114,7 @@ std::optional<Suspect> inaccurate(const Failing& failing) {
 
 std::vector<Suspect> suspects(const SceneReference& reference, const TrajectoryVerification& verification,
                               const std::function<void()>& progress) {
-  const Failing failing(reference, verification);
+  const FailingSignals failing(reference, verification);
   std::vector<Suspect> list;
   if (const auto common = common_suspect(verification, failing)) {
     list.push_back(common->suspect);
@@ -249,7 +122,8 @@ std::vector<Suspect> suspects(const SceneReference& reference, const TrajectoryV
   }
   for (const Suspect& suspect : scene_suspects(reference, failing, progress)) list.push_back(suspect);
   std::erase_if(list, [](const Suspect& suspect) { return suspect.share < 2.0 / 3; });
-  std::ranges::stable_sort(list, std::ranges::greater(), &Suspect::share);
+  // In their order where they explain alike: one change before one number before two.
+  std::ranges::stable_sort(list, std::ranges::greater(), [](const Suspect& s) { return std::round(50 * s.share); });
   if (list.size() > 5) list.resize(5);
   if (list.empty()) {
     if (const auto suspect = inaccurate(failing)) list.push_back(*suspect);
@@ -257,8 +131,6 @@ std::vector<Suspect> suspects(const SceneReference& reference, const TrajectoryV
   return list;
 }
 
-std::size_t runs_of_search(const Scene& scene) {
-  return changes_of(scene).size() + numbers_of(scene).size() + most_refined;
-}
+std::size_t runs_of_search(const Scene& scene) { return changes_of(scene).size() + steps_of_fit(scene); }
 
 }  // namespace lubjoint::verify
