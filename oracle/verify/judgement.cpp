@@ -99,7 +99,7 @@ NumberOutcome compare_number(const Reference& reference, std::size_t k, double g
   NumberOutcome result{Outcome::right, 0, 17};
   if (error > 0) {
     result.excess = tolerance > 0 ? error / tolerance : std::numeric_limits<double>::max();
-    result.digits = size > 0 ? std::clamp(-std::log10(error / size), 0.0, 17.0) : 0;
+    result.digits = size > 0 ? std::clamp(-std::log10(error / size), 0.0, 17.0) + 0.0 : 0;
   }
   const bool coarse = size > 0 && rounding > std::max(coarsest_tolerance, accepted) * size;
   if (error <= tolerance) {

@@ -53,8 +53,10 @@ std::string regime_table(const Judgement& judgement) {
                    judgement.undecided, judgement.precision.words());
   }
   if (judgement.left_out > 0) {
-    fmt::format_to(std::back_inserter(text), "{} states can't be stated in {} and are left out.\n", judgement.left_out,
-                   judgement.precision.words());
+    fmt::format_to(std::back_inserter(text),
+                   "{} states are left out: in {} rounding decides on which side of the law's jump they lie, or can't "
+                   "hold them.\n",
+                   judgement.left_out, judgement.precision.words());
   }
   return text;
 }

@@ -8,6 +8,7 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/verify/answers.hpp"
+#include "oracle/verify/factor.hpp"
 #include "oracle/verify/scene_mistakes.hpp"
 
 namespace lubjoint::verify {
@@ -69,7 +70,6 @@ Fitted refined(const Model& model, Fitted start) {
     const double share = model.share(*here);
     if (iteration > 0 && share < best.share) break;
     best = {start.which, x, share};
-    if (share > 0.9999) break;
     Eigen::MatrixXd slopes(here->size(), count);
     bool complete = true;
     for (Eigen::Index k = 0; complete && k < count; ++k) {
@@ -82,8 +82,8 @@ Fitted refined(const Model& model, Fitted start) {
     if (!complete) break;
     Eigen::VectorXd step = slopes.colPivHouseholderQr().solve(model.error() - *here);
     const double longest = step.cwiseAbs().maxCoeff();
-    if (!std::isfinite(longest) || longest < 1e-7) break;
-    x += step * std::min(1.0, 1.0 / longest);  // at most a factor e at once
+    if (!std::isfinite(longest) || longest < 1e-6) break;  // as precise as the derivatives are
+    x += step * std::min(1.0, 1.0 / longest);              // at most a factor e at once
   }
   return best;
 }
@@ -237,9 +237,11 @@ std::vector<Suspect> fitted_numbers(const SceneReference& reference, const Faili
       found.push_back(refined(model, pairs[i]));
     }
   }
-  // Two numbers explain less than one that does as much.
-  std::ranges::stable_sort(found, std::ranges::greater(),
-                           [](const Fitted& f) { return f.share - 0.02 * static_cast<double>(f.which.size()); });
+  // Two numbers explain less than one that does as much; a factor of a unit or a diameter more than another one.
+  std::ranges::stable_sort(found, std::ranges::greater(), [](const Fitted& f) {
+    const bool plain = f.which.size() == 1 && !factor_words(std::exp(f.logarithms[0]), 1e-3).empty();
+    return std::round(50 * f.share) - static_cast<double>(f.which.size()) + (plain ? 0.5 : 0.0);
+  });
   std::vector<Suspect> list;
   for (const Fitted& each : found) {
     Suspect suspect = suspect_of(model, each);

@@ -88,10 +88,10 @@ void set_exact(State& s, double gap, ExactDirection r, double along, double acro
   s.eccentricity_ratio = of_film(1 - gap, gap);
   s.squeeze_rate = in_single(along);
   if (across != 0) s.attitude_rate = in_single(across / s.eccentricity_ratio);
-  s.ex = r.x * e;
-  s.ey = r.y * e;
-  s.vx = r.x * v_along - r.y * v_across;
-  s.vy = r.y * v_along + r.x * v_across;
+  s.ex = r.x * e + 0.0;
+  s.ey = r.y * e + 0.0;
+  s.vx = r.x * v_along - r.y * v_across + 0.0;  // no −0
+  s.vy = r.y * v_along + r.x * v_across + 0.0;
 }
 
 /// Pure squeeze: no spin, motion along the x axis.

@@ -24,7 +24,9 @@ struct Number {
 
 std::optional<MotionKind> kind_of(const Solution& s) {
   if (s.b == 0 && s.attitude_part == 0 && s.omega_bearing == 0 && s.a != 0) return MotionKind::wedge;
-  if (s.a == 0 && s.b != 0) return s.b > 0 ? MotionKind::closing : MotionKind::opening;
+  // No spin at all: that two spins cancel is another question.
+  const bool turns = s.spin_part != 0 || s.attitude_part != 0 || s.omega_bearing != 0;
+  if (!turns && s.b != 0) return s.b > 0 ? MotionKind::closing : MotionKind::opening;
   if (s.a != 0 && s.b != 0) return MotionKind::mixed;
   return {};
 }

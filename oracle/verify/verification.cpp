@@ -232,7 +232,9 @@ Verification best_law(Quantities quantities, const std::vector<State>& states, c
       all.push_back(made(quantities, static_cast<Law>(i), states, answers, settings, SearchDepth::single));
     }
   }
-  const auto best = [&] { return std::ranges::min_element(all, {}, unexplained); };
+  // A hundredth more or less explained is no difference: laws that are alike where the program moves are ties.
+  const auto hundredths = [](const Verification& v) { return std::round(100 * unexplained(v)); };
+  const auto best = [&] { return std::ranges::min_element(all, {}, hundredths); };
   for (const SearchDepth depth : {SearchDepth::pairs, SearchDepth::triples}) {
     constexpr double explained = 0.1;
     if (unexplained(*best()) < explained) break;
@@ -243,7 +245,6 @@ Verification best_law(Quantities quantities, const std::vector<State>& states, c
     if (depth == SearchDepth::triples) order.resize(std::min<std::size_t>(order.size(), 4));
     for (const std::size_t i : order) {
       all[i] = made(quantities, all[i].judgement.law, states, answers, settings, depth);
-      if (unexplained(all[i]) < explained) break;
     }
   }
   const auto chosen = best();
@@ -258,7 +259,7 @@ Verification best_law(Quantities quantities, const std::vector<State>& states, c
   }
   for (const Verification& other : all) {
     if (other.judgement.law == result.judgement.law || result.law_is_doubtful) continue;
-    if (unexplained(other) <= unexplained(result) + 1e-9) result.other_laws.push_back(other.judgement.law);
+    if (hundredths(other) <= hundredths(result)) result.other_laws.push_back(other.judgement.law);
   }
   return result;
 }
