@@ -233,6 +233,7 @@ Term judge_term_at(Component component, MotionKind kind, const std::vector<Numbe
   term.digits = std::max(0.0, quantile(digits, 0.05));
   if (20 * right >= 19 * numbers.size()) {
     term.verdict = TermVerdict::right;
+    term.vanishes = expected_zero;
     return term;
   }
   term.verdict = TermVerdict::wrong;

@@ -26,6 +26,7 @@ struct Term {
   Component component = Component::radial;
   MotionKind states = MotionKind::wedge;
   TermVerdict verdict = TermVerdict::undecided;  ///< undecided: too few states, or on the jump of a half film
+  bool vanishes = false;                         ///< is zero, and right: says nothing about the law
   double precision = 0;                          ///< error over |F| at which this holds; 0: rounding
   double digits = 0;                             ///< that nineteen states in twenty agree to, over |F|
   std::optional<double> factor = {};             ///< of what it should be, where that is a number

@@ -203,14 +203,17 @@ double unexplained(const Verification& v) {
     // Two mistakes explain less than one that does as much.
     best = std::max(best, s.share - s.contradicted - 0.05 * static_cast<double>(s.mistakes.size()));
   }
-  double terms = 0;
+  double terms = 0, decided = 0;
   for (const Term& term : v.terms) {
+    if (term.verdict == TermVerdict::undecided || term.vanishes) continue;
+    decided += 1;
     if (term.is_right()) terms += 1;
     if (off_by_a_factor(term)) terms += 0.5;
   }
-  const double share_of_terms = v.terms.empty() ? 0 : terms / static_cast<double>(v.terms.size());
+  const double share_of_terms = decided == 0 ? 0 : terms / decided;
   const double open = (answered - right) / answered;
-  return open * (1 - std::max(best, 0.0)) * (1 - 0.5 * share_of_terms) + 1e-6;
+  // Terms say less than a set of mistakes that predicts the answers.
+  return open * (1 - std::max(best, 0.5 * share_of_terms)) + 1e-6;
 }
 
 Verification made(Quantities quantities, Law law, const std::vector<State>& states, const Answers& answers,

@@ -25,6 +25,7 @@ std::string report_page(const Content& content) {
       motion_section(content),
       journal_section(content),
       equilibrium_section(content),
+      losses_section(content),
       slider_crank_section(content),
       laws_section(content),
       model_error_section(content),

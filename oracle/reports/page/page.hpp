@@ -56,6 +56,22 @@ struct Content {
 /// The model error of example 1's bearing. @param example  with at least one law
 BearingModelError bearing_model_error(const Example1& example);
 
+/// What the film of a law costs at its equilibrium, and the rotor that it keeps stable there.
+struct RestLosses {
+  double torque_journal = 0;            ///< on the journal about its centre [N m]
+  double torque_bearing = 0;            ///< on the bearing about its centre [N m]
+  double power = 0;                     ///< lost in the film [W]
+  std::optional<double> side_flow;      ///< [m³/s]; none of a long bearing
+  std::optional<double> critical_mass;  ///< [kg], infinite: every mass is stable; none without load or spin
+  std::optional<double> whirl_ratio;    ///< whirl over spin at that mass; none where it is infinite or there is none
+};
+
+/// At the equilibrium of a law of example 1, with the scene's shear, else that of the film. @throws SceneError
+RestLosses losses_at_rest(const Example1Law& item);
+
+/// One row a law; what is not defined is empty.
+std::string losses_at_rest_csv(const Example1& example);
+
 /// The page. The same content gives the same bytes.
 /// @throws OutputError if gnuplot is missing or fails
 std::string report_page(const Content& content);

@@ -21,6 +21,7 @@ Section verdict_section(const Content& content);
 Section motion_section(const Content& content);
 Section journal_section(const Content& content);
 Section equilibrium_section(const Content& content);
+Section losses_section(const Content& content);
 Section slider_crank_section(const Content& content);
 Section laws_section(const Content& content);
 Section model_error_section(const Content& content);
