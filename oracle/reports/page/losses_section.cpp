@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/losses.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/reports/coefficient_table.hpp"
 #include "oracle/reports/files.hpp"
@@ -53,8 +54,7 @@ RestLosses losses_at_rest(const Example1Law& item) {
 }
 
 std::string losses_at_rest_csv(const Example1& example) {
-  std::string csv =
-      "law,eccentricity_ratio,torque_journal,torque_bearing,power,side_flow,critical_mass,whirl_ratio\n";
+  std::string csv = "law,eccentricity_ratio,torque_journal,torque_bearing,power,side_flow,critical_mass,whirl_ratio\n";
   for (const Example1Law& item : example.laws) {
     const RestLosses row = losses_at_rest(item);
     csv += item.law + "," + number(item.rest.eccentricity_ratio) + "," + number(row.torque_journal) + "," +
