@@ -47,11 +47,11 @@ Row expected(const reports::Example1Law& item) {
   Row row{epsilon};
   const double moment = parts.bearing.clearance() * cross(item.rest.eccentricity, item.rest.force);
   if (item.law == "pinkus_sternlicht") {
-    // The long half film's Couette torque, which depends on the gap alone.
-    const double couette =
-        oracle::film_losses_by_quadrature(oracle::OneDimensionalFilm::long_half, parts.bearing, parts.oil, state, spin)
-            .couette_power.value /
-        spin;
+    // The Couette torque of the film that it approximates, which has the same extent.
+    const double couette = oracle::film_losses_by_quadrature(oracle::OneDimensionalFilm::long_dynamic, parts.bearing,
+                                                             parts.oil, state, spin)
+                               .couette_power.value /
+                           spin;
     row.insert(row.end(), {-couette - moment / 2, couette - moment / 2, (couette + moment / 2) * spin, std::nullopt});
   } else {
     for (const auto& film : oracle::one_dimensional_films) {
@@ -130,7 +130,10 @@ TEST_CASE("report: the section on losses warns of the law whose whirl is not hal
   }
   CHECK(warned == 1);
   CHECK_THAT(html, Contains("does not say <code>shear</code>"));
-  for (auto& item : content.journal.laws) item.scene.joints.front().shear = ShearExtent::flooded;
+  for (auto& item : content.journal.laws) {
+    item.scene.joints.front().shear = ShearExtent::flooded;
+    item.scene.bodies.front().spin_is_held = true;
+  }
   const std::string flooded = page::losses_section(content).html;
   CHECK_THAT(flooded, Contains("The scene says <code>shear</code>") && Contains("<code>flooded</code>"));
   CHECK(*shown(flooded, "short_half")[3] > 1.5 * *shown(html, "short_half")[3]);

@@ -77,7 +77,7 @@ Section losses_section(const Content& content) {
   std::string warnings;
   for (const Example1Law& item : content.journal.laws) {
     const RestLosses row = losses_at_rest(item);
-    table.row({item.law, fmt::format("{:.4f}", item.rest.eccentricity_ratio), words(row.torque_journal, 1e-3),
+    table.row({item.law, words(item.rest.eccentricity_ratio), words(row.torque_journal, 1e-3),
                words(row.torque_bearing, 1e-3), words(row.power), words(row.side_flow, 1e-6), words(row.critical_mass),
                words(row.whirl_ratio)});
     const std::string warning = stability_warning(item.law);
