@@ -86,9 +86,9 @@ TEST_CASE("report: one file that asks for nothing outside of itself") {
 
 TEST_CASE("report: the contents list every section, the verdict first, and every link and id has its place") {
   const std::string& html = full_page();
-  const std::vector<std::string> expected = {"verdict",      "motion",    "journal",     "equilibrium", "losses",
-                                             "slider-crank", "laws",      "model-error", "proofs",
-                                             "run-time",     "stability", "verify",      "provenance"};
+  const std::vector<std::string> expected = {"verdict",      "motion", "journal",     "equilibrium", "losses",
+                                             "slider-crank", "laws",   "model-error", "proofs",      "run-time",
+                                             "stability",    "verify", "provenance"};
   CHECK(between(between(html, "<nav", "</nav>").front(), "href=\"#", "\"") == expected);
   CHECK(between(html, "<section id=\"", "\"") == expected);
   const std::vector<std::string> ids = between(html, " id=\"", "\"");

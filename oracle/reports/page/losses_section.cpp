@@ -54,8 +54,7 @@ RestLosses losses_at_rest(const Example1Law& item) {
 }
 
 std::string losses_at_rest_csv(const Example1& example) {
-  std::string csv =
-      "law,eccentricity_ratio,torque_journal,torque_bearing,power,side_flow,critical_mass,whirl_ratio\n";
+  std::string csv = "law,eccentricity_ratio,torque_journal,torque_bearing,power,side_flow,critical_mass,whirl_ratio\n";
   for (const Example1Law& item : example.laws) {
     const RestLosses row = losses_at_rest(item);
     csv += item.law + "," + number(item.rest.eccentricity_ratio) + "," + number(row.torque_journal) + "," +
@@ -78,7 +77,7 @@ Section losses_section(const Content& content) {
   std::string warnings;
   for (const Example1Law& item : content.journal.laws) {
     const RestLosses row = losses_at_rest(item);
-    table.row({item.law, fmt::format("{:.4f}", item.rest.eccentricity_ratio), words(row.torque_journal, 1e-3),
+    table.row({item.law, words(item.rest.eccentricity_ratio), words(row.torque_journal, 1e-3),
                words(row.torque_bearing, 1e-3), words(row.power), words(row.side_flow, 1e-6), words(row.critical_mass),
                words(row.whirl_ratio)});
     const std::string warning = stability_warning(item.law);
