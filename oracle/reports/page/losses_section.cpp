@@ -89,7 +89,7 @@ Section losses_section(const Content& content) {
       scene.joints.front().shear
           ? "The scene says <code>shear</code>: its runs carry this torque in their ledger."
           : "The scene does not say <code>shear</code>: no torque acts in its runs, and none is in their ledger.";
-  return {"losses", "Losses and stability",
+  return {"losses", "Losses and rotor stability",
           filled("losses.html", {{"table", table.html()},
                                  {"ledger", ledger},
                                  {"shear", shear},

@@ -21,18 +21,10 @@ bool Content::passed() const {
 
 std::string report_page(const Content& content) {
   const std::vector<Section> sections = {
-      verdict_section(content),
-      motion_section(content),
-      journal_section(content),
-      equilibrium_section(content),
-      losses_section(content),
-      slider_crank_section(content),
-      laws_section(content),
-      model_error_section(content),
-      proofs_section(content),
-      run_time_section(content),
-      stability_section(content),
-      verify_section(),
+      verdict_section(content),     motion_section(content),      journal_section(content),
+      equilibrium_section(content), losses_section(content),      slider_crank_section(content),
+      laws_section(content),        model_error_section(content), proofs_section(content),
+      run_time_section(content),    stability_section(content),   verify_section(),
       provenance_section(content),
   };
   std::string contents;
