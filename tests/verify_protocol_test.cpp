@@ -159,6 +159,21 @@ TEST_CASE("verify: a declared domain is asked about alone, and the verdict repea
   CHECK(shell(verify + "--tolerance 2 " + wrong).status == 2);
 }
 
+TEST_CASE("verify: an option that would do nothing is refused by name") {
+  const auto refused = [](const std::string& arguments, const std::string& option) {
+    const Ending ending = shell("\"$LUBJOINT\" verify " + arguments);
+    INFO(arguments << "\n" << ending.output);
+    CHECK(ending.status == 2);
+    CHECK_THAT(ending.output, Contains(option + " does nothing"));
+  };
+  refused("--list-mistakes --states 5", "--states");
+  refused("--scene a --trajectory b --only 'ex > 0'", "--only");
+  refused("--scene a --trajectory b --timeout 5", "--timeout");
+  refused("--states-out - --tolerance 1e-3", "--tolerance");
+  refused("--law short_full --answers a --timeout 5", "--timeout");
+  refused("--law short_full --markdown -- true", "--markdown");
+}
+
 TEST_CASE("verify: a hanging program is stopped with all that it started, in the time given") {
   const auto begin = std::chrono::steady_clock::now();
   CHECK_THROWS_AS(run_program({"sh", "-c", "sleep 30 | cat"}, "x\n", std::chrono::duration<double>(0.2)),

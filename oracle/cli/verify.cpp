@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -34,7 +35,34 @@ struct VerifyOptions {
   bool markdown = false;
   bool json = false;
   std::vector<std::string> program;
+  std::vector<std::string> given;  ///< names of the options on the command line
 };
+
+/// An option that would do nothing is refused.
+void refuse_options_without_effect(const VerifyOptions& o) {
+  const auto allow = [&](const char* what, std::vector<std::string_view> names) {
+    for (const std::string& name : o.given) {
+      if (std::ranges::find(names, name) != names.end()) continue;
+      throw std::invalid_argument(name + " does nothing " + what);
+    }
+  };
+  if (o.list_mistakes) return allow("with --list-mistakes", {"--list-mistakes", "--markdown"});
+  if (!o.scene.empty() || !o.trajectory.empty()) {
+    return allow("for a trajectory (--scene)",
+                 {"--scene", "--trajectory", "--law", "--golden", "--tolerance", "--json"});
+  }
+  if (!o.states_out.empty() && o.program.empty() && o.answers.empty()) {
+    return allow("with --states-out",
+                 {"--states-out", "--law", "--quantities", "--states", "--seed", "--golden", "--only", "--steady"});
+  }
+  if (!o.answers.empty() && o.program.empty()) {
+    return allow("with --answers", {"--answers", "--states-out", "--law", "--quantities", "--states", "--seed",
+                                    "--golden", "--tolerance", "--only", "--steady", "--json"});
+  }
+  for (const std::string& name : o.given) {
+    if (name == "--markdown") throw std::invalid_argument("--markdown does nothing without --list-mistakes");
+  }
+}
 
 void check(const VerifyOptions& o) {
   if (o.law.empty() && o.states_out.empty()) {
@@ -48,7 +76,6 @@ void check(const VerifyOptions& o) {
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
   if (o.tolerance) {
     require_option("--tolerance", *o.tolerance, *o.tolerance > 0 && *o.tolerance <= 0.1, "a number above 0, to 0.1");
-    if (!o.states_out.empty()) throw std::invalid_argument("--tolerance does nothing with --states-out");
   }
   const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
   if (ways == 1) return;
@@ -75,9 +102,6 @@ int verify_trajectory(const VerifyOptions& o) {
   }
   const double tolerance = o.tolerance.value_or(1e-3);
   require_option("--tolerance", tolerance, tolerance >= 1e-6 && tolerance <= 0.1, "a number from 1e-6 to 0.1");
-  if (!o.only.empty() || o.steady) {
-    throw std::invalid_argument("--only and --steady select states; a trajectory (--scene) has none");
-  }
   SceneOptions options;
   options.file = o.scene;
   if (!o.law.empty()) options.law = o.law;
@@ -131,6 +155,7 @@ std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities 
 }
 
 int run(const VerifyOptions& o) {
+  refuse_options_without_effect(o);
   if (o.list_mistakes) {
     std::cout << (o.markdown ? verify::gallery_markdown() : verify::described_gallery());
     return 0;
@@ -200,7 +225,14 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
   command->add_flag("--json", options->json, "One JSON object");
   command->add_option("program", options->program, "-- PROGRAM [ARGS]: reads states, writes answers, both CSV");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([options, command, &action] {
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->count() > 0 && !option->get_lnames().empty())
+        options->given.push_back("--" + option->get_lnames()[0]);
+    }
+    std::erase(options->given, "--program");
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace lubjoint::cli

@@ -82,9 +82,13 @@ std::string stop_kind(const std::string& message) {
 std::string stress_table(const std::vector<StressCase>& cases, const std::vector<StressCell>& cells) {
   const Matrix matrix = summarise(cells);
   const std::vector<std::string> integrators = in_order(cells, integrator_of);
-  std::string text = fmt::format("{} cells: {}, {}, {}, {}\n", cells.size(), count_of(cells, StressStatus::finished),
-                                 count_of(cells, StressStatus::coarse), count_of(cells, StressStatus::stopped),
-                                 count_of(cells, StressStatus::wrong));
+  const auto without = std::count_if(cells.begin(), cells.end(), [](const StressCell& cell) {
+    return cell.status == StressStatus::finished && !cell.error;
+  });
+  std::string text =
+      fmt::format("{} cells: {} ({} of them with no reference to compare with), {}, {}, {}\n", cells.size(),
+                  count_of(cells, StressStatus::finished), without, count_of(cells, StressStatus::coarse),
+                  count_of(cells, StressStatus::stopped), count_of(cells, StressStatus::wrong));
   text +=
       "Largest error of the journal's position [clearances] over the laws; 3s: three laws stopped with a reason; "
       "?: no reference\n"
