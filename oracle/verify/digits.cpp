@@ -100,7 +100,9 @@ DigitProfile digit_profile(const Judgement& judgement) {
         fmt::format("{:g} <= 1 - e/c < {:g}", lower, upper),
         [=](const Reference& r) { return r.gap >= lower && r.gap < upper; }, digits);
   }
-  for (const auto& [lower, upper] : {std::pair{5e-3, 0.05}, std::pair{1e-4, 5e-3}, std::pair{0.0, 1e-4}}) {
+  const std::vector<double> central_edges = {0.05, 5e-3, 1e-4, 0};
+  for (std::size_t k = 0; k + 1 < central_edges.size(); ++k) {
+    const double upper = central_edges[k], lower = central_edges[k + 1];
     add(
         fmt::format("{:g} <= e/c < {:g}", lower, upper),
         [=](const Reference& r) { return r.ratio >= lower && r.ratio < upper; }, central);
