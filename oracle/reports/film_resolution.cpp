@@ -12,13 +12,12 @@ namespace {
 /// Below this, steps are bound by rounding and not by the tolerance.
 constexpr double tightest = 1e-13;
 
-/// In clearances. Next to its wall a free journal's state is 1 clearance: the relative tolerance is of its place, too.
+}  // namespace
+
 double tolerance_of_places(const Scene& scene) {
   const RunSettings& run = scene.run;
   return is_free_journal(scene) ? std::max(run.relative_tolerance, run.absolute_tolerance) : run.absolute_tolerance;
 }
-
-}  // namespace
 
 double thinnest_film(const Scene& scene, const JournalTrajectory& run) {
   return run.min_film_thickness / scene.joints.front().clearance;

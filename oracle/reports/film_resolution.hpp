@@ -11,6 +11,10 @@ namespace lubjoint::reports {
 /// creeps along the wall follow the thickness, to a power of ½ to 5/2.
 inline constexpr double coarse_share = 1e-3;
 
+/// The tolerance of a run's places [clearances]. Next to its wall a free journal's state is 1 clearance: the relative
+/// tolerance is of its place, too.
+double tolerance_of_places(const Scene& scene);
+
 /// The thinnest film of a joint, over its clearance; 1 for a joint without a film. A film that gives way to contact is
 /// widened by the transition's e₁, and no thinner.
 double thinnest_film(const Scene& scene, const JournalTrajectory& run);

@@ -23,8 +23,7 @@ namespace detail {
 template <class R>
 class DynamicIntegrals {
  public:
-  DynamicIntegrals(const R& epsilon, const R& a, const R& b)
-      : e_(epsilon), q_((1 - epsilon) * (1 + epsilon)), root_(root_of(q_)) {
+  DynamicIntegrals(const R& epsilon, const R& q, const R& a, const R& b) : e_(epsilon), q_(q), root_(root_of(q_)) {
     using std::atan2;
     const R w = root_of(R(a * a + 4 * b * b));
     const R cos_s = a / w;
@@ -89,16 +88,14 @@ class DynamicIntegrals {
 
 }  // namespace detail
 
-/// Terms of the law of that name. The dynamic laws have one term a component: their accuracy is stated against |F|.
-/// @param epsilon  0 ≤ ε < 1;  @param a, b  not both zero
-/// @param side  half films: +1 film on 0…π, −1 on π…2π, 0: where the sign of a says
+/// Terms of the law of that name for a caller that knows q = 1 − ε² better than ε can say.
 template <class R>
-PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const R& a, const R& b, int side = 0) {
+PublishedTerms<R> published_terms_at(std::string_view law, const R& epsilon, const R& q, const R& a, const R& b,
+                                     int side) {
   using std::abs;
   using std::pow;
   using std::sqrt;
   const R& pi = boost::math::constants::pi<R>();
-  const R q = (1 - epsilon) * (1 + epsilon);
   const R d = 2 + epsilon * epsilon;
   const R q12 = sqrt(q);
   const R q32 = q * q12;
@@ -124,13 +121,21 @@ PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const 
     const R phi = b < 0 ? R(k / (k + 3 * big_b / 2)) : R((k + 3 * big_b) / (k + 3 * big_b / 2));
     return {{-24 * epsilon * k / (d * q32), -6 * pi * b * phi / q32}, {6 * pi * a * phi / (d * q12)}};
   }
-  const detail::DynamicIntegrals<R> j(epsilon, a, b);
+  const detail::DynamicIntegrals<R> j(epsilon, q, a, b);
   if (law == "short_dynamic") {
     return {{(a * j(1, 1) - 2 * b * j(0, 2)) / 2}, {(a * j(2, 0) - 2 * b * j(1, 1)) / 2}};
   }
   const R constant = -(a * j(0, 1) + 2 * b * j(1, 0)) / j(0, 0);
   return {{-6 * (a * j(1, 1) + 2 * b * j(2, 0) + constant * j(1, 0))},
           {6 * (a * j(0, 2) + 2 * b * j(1, 1) + constant * j(0, 1))}};
+}
+
+/// Terms of the law of that name. The dynamic laws have one term a component: their accuracy is stated against |F|.
+/// @param epsilon  0 ≤ ε < 1;  @param a, b  not both zero
+/// @param side  half films: +1 film on 0…π, −1 on π…2π, 0: where the sign of a says
+template <class R>
+PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const R& a, const R& b, int side = 0) {
+  return published_terms_at<R>(law, epsilon, R((1 - epsilon) * (1 + epsilon)), a, b, side);
 }
 
 }  // namespace lubjoint::reports

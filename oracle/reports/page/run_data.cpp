@@ -1,5 +1,6 @@
 #include "oracle/reports/page/run_data.hpp"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,7 @@ constexpr std::pair<std::string_view, RowStatus> of_a_run[] = {{"finished", RowS
                                                                {"stopped", RowStatus::stopped}};
 constexpr std::pair<std::string_view, RowStatus> of_a_case[] = {{"finished", RowStatus::finished},
                                                                 {"coarse", RowStatus::coarse},
+                                                                {"unreferenced", RowStatus::unreferenced},
                                                                 {"stopped", RowStatus::stopped},
                                                                 {"wrong", RowStatus::wrong}};
 
@@ -85,6 +87,8 @@ RunTimes read_run_times(std::string_view csv, const std::string& name) {
 Stability read_stability(std::string_view csv, const std::string& name) {
   const CsvTable table(csv, name);
   for (const char* shown : {"seconds", "steps"}) table.column(shown);
+  const std::vector<std::string>& columns = table.columns();
+  const bool compares_all = std::find(columns.begin(), columns.end(), "program") != columns.end();
   Stability result{plain(csv), {}};
   std::set<std::tuple<std::string, std::string, std::string>> seen;
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -94,6 +98,17 @@ Stability read_stability(std::string_view csv, const std::string& name) {
     row.integrator = name_in(table, i, "integrator");
     row.status = status_of(table, i, of_a_case);
     row.error = known_size_in(table, i, "error");
+    if (!compares_all) {  // a table from before rates and forces were compared: what finished was not judged as now
+      if (row.status == RowStatus::finished) row.status = RowStatus::unreferenced;
+    } else {
+      row.rate_error = known_size_in(table, i, "rate_error");
+      row.force_error = known_size_in(table, i, "force_error");
+      row.program = table.field(i, table.column("program"));
+    }
+    if (row.status == RowStatus::finished && !(row.error && row.rate_error && row.force_error)) {
+      table.refuse(i,
+                   "a finished run has no error, rate_error or force_error; allowed without them is \"unreferenced\"");
+    }
     row.message = table.field(i, table.column("message"));
     if (!seen.emplace(row.problem, row.law, row.integrator).second) {
       table.refuse(i, "case, law and integrator are those of an earlier line; allowed is one line each");

@@ -10,9 +10,10 @@ namespace lubjoint::reports::page {
 
 enum class RowStatus {
   finished,
-  coarse,   ///< of extreme cases: finished further off than its tolerance lets one expect, and warned of that itself
-  stopped,  ///< with a reason
-  wrong     ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
+  coarse,  ///< of extreme cases: finished further off than its tolerance lets one expect, and warned of that itself
+  unreferenced,  ///< of extreme cases: finished, and nothing is known of its error
+  stopped,       ///< with a reason
+  wrong          ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
 };
 
 /// One run of a scene.
@@ -45,7 +46,10 @@ struct StabilityRow {
   std::string law;
   std::string integrator;
   RowStatus status = RowStatus::finished;
-  std::optional<double> error;  ///< none without a reference
+  std::optional<double> error;        ///< of places [clearances]; none where nothing was compared
+  std::optional<double> rate_error;   ///< of velocities, over the motion's own
+  std::optional<double> force_error;  ///< over the motion's largest
+  std::string program;                ///< version and sources that ran it; empty if the file does not say
   std::string message;
 };
 
@@ -54,8 +58,9 @@ struct Stability {
   std::vector<StabilityRow> rows;
 };
 
-/// Columns case, law, integrator, status (finished, coarse, stopped, wrong), error (may be empty), seconds, steps,
-/// message.
+/// Columns case, law, integrator, status (finished, coarse, unreferenced, stopped, wrong), error, rate_error,
+/// force_error (may be empty; a finished run has all three), seconds, steps, program, message. In a table without
+/// rate_error, force_error and program, of before these were compared, what finished counts as unreferenced.
 /// @throws CsvError
 Stability read_stability(std::string_view csv, const std::string& name);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "oracle/reports/measuring_sources.hpp"
 #include "oracle/reports/page/sections.hpp"
 
 namespace lubjoint::reports::page {
@@ -34,9 +36,9 @@ std::string cell_of(const StabilityRow* row) {
   if (row->status == RowStatus::wrong) {
     return fmt::format("<td class=\"level-wrong\" title=\"{}\">!</td>", escaped("wrong: " + row->message));
   }
-  if (!row->error) {
+  if (row->status == RowStatus::unreferenced || !row->error) {
     const std::string why = row->message.empty() ? "" : ": " + row->message;
-    return fmt::format("<td class=\"level-none\" title=\"{}\">✓</td>", escaped("finished, without a reference" + why));
+    return fmt::format("<td class=\"level-none\" title=\"{}\">?</td>", escaped("finished, without a reference" + why));
   }
   const double error = *row->error;
   const Level* level = levels;
@@ -45,7 +47,10 @@ std::string cell_of(const StabilityRow* row) {
   const double digits = error > 0 ? std::clamp(std::floor(-std::log10(error)), 0.0, 16.0) : 16.0;
   const std::string said = row->message.empty() ? "" : ": " + row->message;
   return fmt::format("<td class=\"{}\" title=\"{}\">{:.0f}</td>", level->look,
-                     escaped("finished, error " + scientific(error) + " c" + said), digits);
+                     escaped("finished, places off by " + scientific(error) + " c, velocities by " +
+                             scientific(row->rate_error.value_or(0)) + " and forces by " +
+                             scientific(row->force_error.value_or(0)) + " of their own size" + said),
+                     digits);
 }
 
 class Map {
@@ -101,7 +106,7 @@ std::string stopped_table(const std::vector<StabilityRow>& rows) {
   for (const StabilityRow& row : rows) {
     if (row.status == RowStatus::finished) continue;
     const bool wrong = row.status == RowStatus::wrong;
-    const char* what = wrong ? "✗ wrong: " : row.status == RowStatus::coarse ? "finished, " : "stopped: ";
+    const char* what = wrong ? "✗ wrong: " : row.status == RowStatus::stopped ? "stopped: " : "finished, ";
     table.row({row.problem, row.law, row.integrator, Cell(what + row.message, wrong ? "bad" : "")});
     ++count;
   }
@@ -109,6 +114,18 @@ std::string stopped_table(const std::vector<StabilityRow>& rows) {
   return fmt::format(
       "<details>\n<summary>{} of {} runs stopped, are too coarse and said so, or are wrong</summary>\n{}</details>\n",
       count, rows.size(), table.html());
+}
+
+std::string measured_by(const std::vector<StabilityRow>& rows) {
+  std::set<std::string> programs;
+  for (const StabilityRow& row : rows) programs.insert(row.program);
+  std::string text;
+  for (const std::string& each : programs) {
+    text += (text.empty() ? "Measured by " : " and ") + (each.empty() ? std::string("an earlier program") : each);
+  }
+  const bool present = programs.size() == 1 && *programs.begin() == measuring_sources();
+  return text +
+         (present ? ", the sources of this program." : ", not by this program's sources, " + measuring_sources() + ".");
 }
 
 }  // namespace
@@ -125,9 +142,13 @@ Section stability_section(const Content& content) {
     }
     inner +=
         "<li><span class=\"swatch level-stop\"></span>× stopped, with a reason</li>\n"
-        "<li><span class=\"swatch level-wrong\"></span>! wrong</li>\n<li>✓ finished, without a reference</li>\n<li>· "
+        "<li><span class=\"swatch level-wrong\"></span>! wrong</li>\n<li>? finished, without a reference</li>\n<li>· "
         "not run</li>\n</ul>\n";
-    inner += "<p>In the cells: digits of e/c that are right.</p>\n";
+    inner +=
+        "<p>In the cells: digits of e/c that are right, against a stored motion of other methods; velocities and "
+        "forces, "
+        "which are compared with it too, where you point.</p>\n";
+    inner += "<p>" + escaped(measured_by(content.stability->rows)) + "</p>\n";
     inner += Map(content.stability->rows).html();
     inner +=
         "<p class=\"readout\" id=\"stability-readout\" role=\"status\">Point at a cell for its error or reason.</p>\n";

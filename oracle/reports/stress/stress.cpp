@@ -11,11 +11,13 @@
 
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/film_resolution.hpp"
 #include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/kept_rows.hpp"
+#include "oracle/reports/measuring_sources.hpp"
 #include "oracle/reports/parallel.hpp"
 #include "oracle/reports/progress.hpp"
 
@@ -23,28 +25,30 @@ namespace lubjoint::reports {
 
 namespace {
 
-constexpr const char* csv_header = "case,law,integrator,status,error,seconds,steps,message\n";
+constexpr const char* csv_header =
+    "case,law,integrator,status,error,rate_error,force_error,over_expected,compared,seconds,steps,program,message\n";
 
 /// Where a run was, and how it ended.
 struct StressRun {
   RunOutcome outcome;
-  std::vector<double> times;
-  std::vector<Vector2<double>> positions;  ///< ê at these times
+  std::vector<StressSample> samples;
   double seconds = 0;
   double thinnest_film = 1;  ///< in clearances
   std::string fault;         ///< what no run may do; empty if it did not
 };
 
-void look_at(const Vector2<double>& e_hat, double t, const Vector2<double>& force, bool may_touch, StressRun& run) {
+void look_at(const StressSample& sample, bool may_touch, StressRun& run) {
   const auto fault = [&](const char* what) {
-    if (run.fault.empty()) run.fault = fmt::format("{} at t = {} s", what, t);
+    if (run.fault.empty()) run.fault = fmt::format("{} at t = {} s", what, sample.t);
   };
-  if (!e_hat.allFinite()) fault("eccentricity is no number");
-  if (!force.allFinite()) fault("force is no number");
-  if (!may_touch && !(one_minus_squared_norm(e_hat.x(), e_hat.y()) > 0)) fault("a sample lies beyond the wall");
-  if (!run.times.empty() && !(t > run.times.back())) fault("samples are not in order");
-  run.times.push_back(t);
-  run.positions.push_back(e_hat);
+  if (!sample.place.allFinite()) fault("eccentricity is not finite");
+  if (!sample.rate.allFinite()) fault("velocity is not finite");
+  if (!sample.force.allFinite()) fault("force is not finite");
+  if (!may_touch && !(one_minus_squared_norm(sample.place.x(), sample.place.y()) > 0)) {
+    fault("a sample lies beyond the wall");
+  }
+  if (!run.samples.empty() && !(sample.t > run.samples.back().t)) fault("samples are not in order");
+  run.samples.push_back(sample);
 }
 
 StressRun run_journal(const Scene& scene) {
@@ -54,10 +58,22 @@ StressRun run_journal(const Scene& scene) {
   run.seconds = trajectory.wall_seconds;
   run.thinnest_film = thinnest_film(scene, trajectory);
   for (const JournalSample& sample : trajectory.samples) {
-    look_at({sample.state[0], sample.state[1]}, sample.t, sample.force, false, run);
+    const auto& y = sample.state;
+    look_at({sample.t, {y[0], y[1]}, {y[2], y[3]}, sample.force}, false, run);
   }
-  if (!std::isfinite(trajectory.max_force + trajectory.min_film_thickness)) run.fault = "an extreme is no number";
+  if (!std::isfinite(trajectory.max_force + trajectory.min_film_thickness)) run.fault = "an extreme is not finite";
   return run;
+}
+
+/// Velocity of a joint's point in a state q, q̇: that of its body's mass centre and ω × s.
+Vector2<double> point_velocity(const Scene& scene, const SceneAnchor& anchor, const std::vector<double>& state) {
+  if (!anchor.body) return {0, 0};
+  const std::size_t q = 3 * *anchor.body;
+  const std::size_t rates = 3 * scene.bodies.size() + q;
+  const double c = std::cos(state[q + 2]);
+  const double s = std::sin(state[q + 2]);
+  const Vector2<double> arm(c * anchor.point.x() - s * anchor.point.y(), s * anchor.point.x() + c * anchor.point.y());
+  return {state[rates] - state[rates + 2] * arm.y(), state[rates + 1] + state[rates + 2] * arm.x()};
 }
 
 StressRun run_multibody(const Scene& scene) {
@@ -69,10 +85,13 @@ StressRun run_multibody(const Scene& scene) {
   const SceneJoint& joint = scene.joints.front();
   for (const MultibodySample& sample : trajectory.samples) {
     const JointSample& at = sample.joints.front();
-    look_at(at.eccentricity / joint.clearance, sample.t, at.force, joint.contact.has_value(), run);
+    const Vector2<double> velocity =
+        point_velocity(scene, joint.journal, sample.state) - point_velocity(scene, joint.bearing, sample.state);
+    look_at({sample.t, at.eccentricity / joint.clearance, velocity / joint.clearance, at.force},
+            joint.contact.has_value(), run);
   }
   for (const JointExtremes& each : trajectory.joints) {
-    if (!std::isfinite(each.force.value + each.eccentricity.value)) run.fault = "an extreme is no number";
+    if (!std::isfinite(each.force.value + each.eccentricity.value)) run.fault = "an extreme is not finite";
   }
   return run;
 }
@@ -84,8 +103,8 @@ StressRun run_scene(const Scene& scene) {
     const auto fault = [&](const std::string& what) {
       if (run.fault.empty()) run.fault = what;
     };
-    if (run.times.empty()) fault("no sample was kept");
-    if (!run.times.empty() && run.times.back() != outcome.t_end) fault("the last state was not kept");
+    if (run.samples.empty()) fault("no sample was kept");
+    if (!run.samples.empty() && run.samples.back().t != outcome.t_end) fault("the last state was not kept");
     if (outcome.status == RunStatus::stopped && outcome.message.empty()) fault("it stopped without a reason");
     if (outcome.status == RunStatus::finished && outcome.t_end != scene.run.duration) fault("it ended before its end");
     return run;
@@ -96,68 +115,24 @@ StressRun run_scene(const Scene& scene) {
   }
 }
 
-/// Largest distance of two runs at their common times.
-double distance(const StressRun& a, const StressRun& b) {
-  double largest = 0;
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < a.times.size(); ++i) {
-    while (j < b.times.size() && b.times[j] < a.times[i]) ++j;
-    if (j == b.times.size()) break;
-    if (b.times[j] == a.times[i]) largest = std::max(largest, (a.positions[i] - b.positions[j]).norm());
-  }
-  return largest;
-}
-
-struct StressReference {
-  std::optional<StressRun> run;  ///< none if no two runs agree
-  double agreement = 0;          ///< with a second one
-  std::string why_none;
-};
-
-/// References closer than this need no better ones.
-constexpr double good_agreement = 1e-6;
-/// References further apart than this are none.
-constexpr double poor_agreement = 1e-3;
-
-/// The best of runs at much tighter tolerances, implicit and explicit: of the two that agree best, the tighter one.
-StressReference reference_of(Scene scene, std::size_t max_steps) {
-  struct Attempt {
-    const char* integrator;
-    double tolerance;
-  };
-  // The last ones for scenes in which rounding leaves no tighter tolerance any meaning.
-  constexpr std::array<Attempt, 6> attempts = {Attempt{"radau_iia5", 1e-12}, Attempt{"fehlberg78", 1e-12},
-                                               Attempt{"radau_iia5", 1e-11}, Attempt{"radau_iia5", 1e-10},
-                                               Attempt{"rosenbrock4", 1e-9}, Attempt{"radau_iia5", 1e-9}};
-  scene.run.max_steps = max_steps;
-  std::vector<StressRun> runs;
-  std::optional<std::size_t> best;
-  double agreement = std::numeric_limits<double>::infinity();
-  for (const Attempt& attempt : attempts) {
-    scene.integrator = attempt.integrator;
-    scene.run.relative_tolerance = scene.run.absolute_tolerance = attempt.tolerance;
-    StressRun run = run_scene(scene);
-    if (run.outcome.status != RunStatus::finished || !run.fault.empty()) continue;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const double apart = distance(runs[i], run);
-      if (!(apart < agreement)) continue;
-      agreement = apart;
-      best = i;
-    }
-    runs.push_back(std::move(run));
-    if (agreement <= good_agreement) break;
-  }
-  if (!best) return {std::nullopt, 0, "no reference: no two runs of tighter tolerance finish"};
-  if (agreement > poor_agreement) {
-    return {std::nullopt, 0, fmt::format("no reference: runs of tighter tolerance differ by {:.1e}", agreement)};
-  }
-  return {std::move(runs[*best]), agreement, ""};
-}
-
 std::string without_commas(std::string text) {
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+/// What the errors of a run come from. In absolute coordinates every step rounds places of the mechanism's size; rates
+/// have the tolerance of the scene's own rate, which may be above the motion's.
+StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const StressReference& reference) {
+  StressAccuracy accuracy{tolerance_of_places(scene), std::numeric_limits<double>::epsilon(), run.thinnest_film,
+                          run.outcome.steps};
+  if (is_free_journal(scene)) return accuracy;
+  const SceneUnits units = scene_units(scene);
+  accuracy.tolerance *= std::max(1.0, units.rate / reference.rate_unit);
+  double largest = units.length;
+  for (const SceneBody& body : scene.bodies) largest = std::max(largest, body.position.norm());
+  accuracy.rounding *= largest / scene.joints.front().clearance;
+  return accuracy;
 }
 
 StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::string& law,
@@ -168,48 +143,42 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
                   law,
                   scene.integrator,
                   StressStatus::wrong,
-                  std::nullopt,
+                  deviation_of(run.samples, reference, accuracy_of(scene, run, reference)),
                   run.seconds,
                   run.outcome.steps + run.outcome.rejected_steps,
+                  measuring_sources(),
                   run.outcome.message};
   const std::string warning = resolution_warning(scene, scene.joints.front(), run.thinnest_film);
   if (finished) cell.message = warning;
-  if (reference.run) cell.error = distance(run, *reference.run);
-  const double limit = stress_error_limit(scene.run.relative_tolerance, reference.agreement);
-  if (run.fault.empty()) cell.status = stress_status(finished, cell.error, limit, !warning.empty());
+  if (run.fault.empty()) cell.status = stress_status(finished, cell.deviation, !warning.empty());
   if (!run.fault.empty()) {
     cell.message = run.fault;
   } else if (cell.status == StressStatus::wrong) {
-    cell.message = fmt::format("error {:.1e} where the tolerance of {:.0e} lets one expect less than {:.0e}",
-                               *cell.error, scene.run.relative_tolerance, limit);
+    cell.message = cell.deviation.worst;
     if (!finished) cell.message += "; " + run.outcome.message;
-  } else if (!reference.run && finished) {
-    cell.message += (cell.message.empty() ? "" : "; ") + reference.why_none;
+  } else if (cell.status == StressStatus::unreferenced) {
+    cell.message += (cell.message.empty() ? "" : "; ") + ("no reference: " + reference.why_none);
   }
   cell.message = without_commas(cell.message);
   return cell;
 }
 
+std::string error_field(const std::optional<double>& error) { return error ? number(*error) : ""; }
+
 std::string csv_line(const StressCell& cell) {
-  return fmt::format("{},{},{},{},{},{},{},{}\n", cell.scenario, cell.law, cell.integrator,
-                     stress_status_name(cell.status), cell.error ? number(*cell.error) : "", number(cell.seconds),
-                     cell.steps, cell.message);
+  const StressDeviation& d = cell.deviation;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell.scenario, cell.law, cell.integrator,
+                     stress_status_name(cell.status), error_field(d.place), error_field(d.rate), error_field(d.force),
+                     d.compared > 0 ? number(d.over_expected) : "", d.compared, number(cell.seconds), cell.steps,
+                     cell.program, cell.message);
 }
 
 /// By case, law and integrator.
 using CellKey = std::array<std::string, 3>;
 
-std::map<CellKey, StressCell> cells_of(const CsvTable& table) {
+std::map<CellKey, StressCell> by_key(const CsvTable& table) {
   std::map<CellKey, StressCell> cells;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const auto text = [&](const char* column) { return std::string(table.field(i, table.column(column))); };
-    StressCell cell{text("case"), text("law"), text("integrator"), StressStatus::finished, {}, 0, 0, text("message")};
-    for (const StressStatus status : {StressStatus::coarse, StressStatus::stopped, StressStatus::wrong}) {
-      if (text("status") == stress_status_name(status)) cell.status = status;
-    }
-    if (!text("error").empty()) cell.error = table.number(i, table.column("error"));
-    cell.seconds = table.number(i, table.column("seconds"));
-    cell.steps = static_cast<std::size_t>(table.number(i, table.column("steps")));
+  for (const StressCell& cell : read_stress_cells(table)) {
     cells.emplace(CellKey{cell.scenario, cell.law, cell.integrator}, cell);
   }
   return cells;
@@ -217,29 +186,37 @@ std::map<CellKey, StressCell> cells_of(const CsvTable& table) {
 
 }  // namespace
 
-const char* stress_status_name(StressStatus status) {
-  switch (status) {
-    case StressStatus::finished:
-      return "finished";
-    case StressStatus::coarse:
-      return "coarse";
-    case StressStatus::stopped:
-      return "stopped";
-    case StressStatus::wrong:
-      break;
+std::vector<StressCell> read_stress_cells(const CsvTable& table) {
+  std::vector<StressCell> cells;
+  const std::vector<std::string>& columns = table.columns();
+  const bool compares_all = std::find(columns.begin(), columns.end(), "program") != columns.end();
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto text = [&](const char* column) { return std::string(table.field(i, table.column(column))); };
+    const auto known = [&](const char* column) -> std::optional<double> {
+      if (text(column).empty()) return std::nullopt;
+      return table.number(i, table.column(column));
+    };
+    StressCell cell{text("case"),         text("law"),    text("integrator"), StressStatus::wrong, {}, 0, 0,
+                    "an earlier program", text("message")};
+    for (const StressStatus status :
+         {StressStatus::finished, StressStatus::coarse, StressStatus::unreferenced, StressStatus::stopped}) {
+      if (text("status") == stress_status_name(status)) cell.status = status;
+    }
+    cell.deviation.place = known("error");
+    cell.seconds = table.number(i, table.column("seconds"));
+    cell.steps = static_cast<std::size_t>(table.number(i, table.column("steps")));
+    if (compares_all) {
+      cell.deviation.rate = known("rate_error");
+      cell.deviation.force = known("force_error");
+      cell.deviation.over_expected = known("over_expected").value_or(0);
+      cell.deviation.compared = static_cast<std::size_t>(table.number(i, table.column("compared")));
+      cell.program = text("program");
+    } else if (cell.status == StressStatus::finished) {
+      cell.status = StressStatus::unreferenced;
+    }
+    cells.push_back(cell);
   }
-  return "wrong";
-}
-
-double stress_error_limit(double tolerance, double reference_agreement) {
-  return std::max({std::min(1e3 * tolerance, 0.1), 1e-3, 10 * reference_agreement});
-}
-
-StressStatus stress_status(bool finished, std::optional<double> error, double limit, bool warned) {
-  const bool far_off = error && !(*error <= limit);
-  if (far_off && !warned) return StressStatus::wrong;
-  if (!finished) return StressStatus::stopped;
-  return far_off ? StressStatus::coarse : StressStatus::finished;
+  return cells;
 }
 
 StressSettings stress_settings(bool quick) {
@@ -255,8 +232,17 @@ StressSettings stress_settings(bool quick) {
   return settings;
 }
 
+Scene with_law(Scene scene, const std::string& law) {
+  for (SceneJoint& joint : scene.joints) joint.film = law;
+  return scene;
+}
+
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings) {
-  std::string key = fmt::format("{} steps;", settings.most_steps);
+  std::string key = fmt::format("{} steps; sources {};", settings.most_steps, measuring_sources());
+  for (const auto& [motion, reference] : settings.references.all()) {
+    for (const double apart : reference.apart) key += number(apart) + ' ';
+  }
+  key = sha256(key);
   std::map<std::string, std::string> scenes;  // checksums by file
   for (const StressCase& each : cases) {
     key += fmt::format(" {}", each.name);
@@ -273,19 +259,23 @@ std::string stress_key(const std::vector<StressCase>& cases, const StressSetting
 std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const StressSettings& settings) {
   KeptRows kept(settings.resume_file, stress_key(cases, settings), csv_header);
   const std::map<CellKey, StressCell> earlier =
-      kept.earlier() ? cells_of(*kept.earlier()) : std::map<CellKey, StressCell>();
+      kept.earlier() ? by_key(*kept.earlier()) : std::map<CellKey, StressCell>();
 
   const std::size_t groups = cases.size() * settings.laws.size();
+  // All of them before anything runs: a campaign of an hour does not end at a case without one.
+  std::vector<const StressReference*> references;
+  for (const StressCase& each : cases) {
+    for (const std::string& law : settings.laws)
+      references.push_back(&settings.references.of(with_law(each.scene, law)));
+  }
   std::vector<std::vector<StressCell>> done(groups);
   std::mutex mutex;
   ProgressBar progress("stress", groups);
   run_parallel(groups, settings.threads, [&](std::size_t group) {
     const StressCase& scenario = cases[group / settings.laws.size()];
     const std::string& law = settings.laws[group % settings.laws.size()];
-    Scene scene = scenario.scene;
+    Scene scene = with_law(scenario.scene, law);
     scene.run.max_steps = std::min(scene.run.max_steps, settings.most_steps);
-    for (SceneJoint& joint : scene.joints) joint.film = law;
-    std::optional<StressReference> reference;
     std::string rows;  // that are new
     for (const std::string& integrator : settings.integrators) {
       const auto known = earlier.find({scenario.name, law, integrator});
@@ -293,9 +283,8 @@ std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const S
         done[group].push_back(known->second);
         continue;
       }
-      if (!reference) reference = reference_of(scene, 2 * settings.most_steps);
       scene.integrator = integrator;
-      done[group].push_back(make_cell(scenario, scene, law, *reference));
+      done[group].push_back(make_cell(scenario, scene, law, *references[group]));
       rows += csv_line(done[group].back());
     }
     const std::lock_guard lock(mutex);

@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "oracle/reports/csv_table.hpp"
 #include "oracle/reports/stress/stress_cases.hpp"
+#include "oracle/reports/stress/stress_judgement.hpp"
 
 namespace lubjoint::reports {
-
-enum class StressStatus {
-  finished,  ///< at the end of the duration, as accurate as asked for or nearly so
-  coarse,  ///< at the end, further off than that, and the run itself warns that the tolerance does not resolve its film
-  stopped,  ///< with a reason, the results so far kept
-  wrong  ///< finished or stopped far from the reference, a number that is none, a stop without a reason, an exception
-};
 
 /// One run.
 struct StressCell {
@@ -23,17 +18,17 @@ struct StressCell {
   std::string law;
   std::string integrator;
   StressStatus status = StressStatus::finished;
-  /// Largest |ê − ê_ref| over samples and end [clearances]; of a run that stopped, over what it kept. None without a
-  /// reference.
-  std::optional<double> error;
+  StressDeviation deviation;  ///< from the reference
   double seconds = 0;
   std::size_t steps = 0;  ///< accepted and rejected
-  std::string message;    ///< why it stopped, or what is wrong
+  std::string program;    ///< that ran it: measuring_sources() then
+  std::string message;    ///< why it stopped, what it warned of, or what is wrong
 };
 
 struct StressSettings {
   std::vector<std::string> laws;
   std::vector<std::string> integrators;
+  StressReferences references;  ///< of every case with every law
   unsigned threads = 1;
   /// No limit of steps above this: what a quick look has time for.
   std::size_t most_steps = 200'000;
@@ -46,27 +41,22 @@ struct StressSettings {
 /// @param quick  two laws and few steps: less than a minute
 StressSettings stress_settings(bool quick);
 
-/// The error above which a run is wrong: a thousand times its tolerance and 1e-3 clearances, and ten times what two
-/// references differ by (a motion that amplifies every rounding has no better reference); of a loose tolerance no more
-/// than a tenth of a clearance.
-double stress_error_limit(double tolerance, double reference_agreement);
+/// The scene with this law in all its joints.
+Scene with_law(Scene scene, const std::string& law);
 
-/// Of a run whose numbers are all numbers. One that is further off than the limit is wrong, unless it has itself warned
-/// of its tolerance: then it is coarse.
-/// @param error  as far as it is known, up to where the run came
-/// @param warned  has it said that its tolerance is too coarse for its film?
-StressStatus stress_status(bool finished, std::optional<double> error, double limit, bool warned);
-
-/// What the cells of a resume file depend on: cases, scenes, laws, integrators and limits.
+/// What the cells of a resume file depend on: cases, scenes, laws, integrators, limits, references and sources.
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);
 
 /// Runs the matrix; cells by case, law and integrator, the same for any number of threads but for their seconds.
-/// @throws OutputError, CsvError of the resume file
+/// @throws OutputError, CsvError of the resume file; std::invalid_argument if a case has no stored reference of its own
 std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const StressSettings& settings);
 
-const char* stress_status_name(StressStatus status);
+/// The cells of a CSV that stress_csv wrote. In one of before rates and forces were compared (without the column
+/// program) what finished was not judged as now, and counts as unreferenced.
+/// @throws CsvError
+std::vector<StressCell> read_stress_cells(const CsvTable& table);
 
-/// case,law,integrator,status,error,seconds,steps,message
+/// case,law,integrator,status,error,rate_error,force_error,over_expected,compared,seconds,steps,program,message
 std::string stress_csv(const std::vector<StressCell>& cells);
 
 }  // namespace lubjoint::reports

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <map>
 #include <regex>
+#include <set>
 
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/gnuplot.hpp"
+#include "oracle/reports/measuring_sources.hpp"
 
 namespace lubjoint::reports {
 
@@ -19,8 +21,8 @@ struct Summary {
   std::size_t laws = 0;
   std::size_t stopped = 0;
   std::size_t wrong = 0;
-  std::size_t without_reference = 0;
-  double worst = -1;  ///< error of those that finished; negative: none with a known one
+  std::size_t unreferenced = 0;
+  double worst = -1;  ///< error of those that finished and were compared to the end; negative: none was
 };
 
 using Matrix = std::map<std::pair<std::string, std::string>, Summary>;
@@ -33,10 +35,10 @@ Matrix summarise(const std::vector<StressCell>& cells) {
     if (cell.status == StressStatus::wrong) ++at.wrong;
     if (cell.status == StressStatus::stopped) ++at.stopped;
     if (cell.status == StressStatus::wrong || cell.status == StressStatus::stopped) continue;
-    if (cell.error) {
-      at.worst = std::max(at.worst, *cell.error);
+    if (cell.status == StressStatus::unreferenced) {
+      ++at.unreferenced;
     } else {
-      ++at.without_reference;
+      at.worst = std::max(at.worst, cell.deviation.place.value_or(0));
     }
   }
   return matrix;
@@ -45,7 +47,8 @@ Matrix summarise(const std::vector<StressCell>& cells) {
 std::string words(const Summary& at) {
   if (at.wrong > 0) return fmt::format("WRONG {}", at.wrong);
   if (at.stopped == at.laws) return "stopped";
-  std::string text = at.worst >= 0 ? fmt::format("{:.0e}", at.worst) : "?";
+  std::string text = at.worst >= 0 ? fmt::format("{:.0e}", at.worst) : "-";
+  if (at.unreferenced > 0) text += fmt::format(" {}?", at.unreferenced);
   if (at.stopped > 0) text += fmt::format(" {}s", at.stopped);
   return text;
 }
@@ -69,6 +72,37 @@ std::string count_of(const std::vector<StressCell>& cells, StressStatus status) 
 
 }  // namespace
 
+std::string stress_counts(const std::vector<StressCell>& cells) {
+  std::string text;
+  for (const StressStatus status : {StressStatus::finished, StressStatus::coarse, StressStatus::unreferenced,
+                                    StressStatus::stopped, StressStatus::wrong}) {
+    text += (text.empty() ? "" : ", ") + count_of(cells, status);
+  }
+  return text;
+}
+
+std::string stress_sentence(const std::vector<StressCell>& cells) {
+  const auto count = [&](StressStatus status) {
+    return std::count_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.status == status; });
+  };
+  return fmt::format(
+      "As measured (`data/measured/stress.csv`), of {} runs of {} cases {} finished near their reference in place, "
+      "velocity and force, {} finished further off and had warned of their own tolerance, {} finished without a "
+      "reference, {} stopped with a reason, {} are wrong.",
+      cells.size(), in_order(cells, scenario_of).size(), count(StressStatus::finished), count(StressStatus::coarse),
+      count(StressStatus::unreferenced), count(StressStatus::stopped), count(StressStatus::wrong));
+}
+
+std::string measured_by(const std::vector<StressCell>& cells) {
+  std::set<std::string> programs;
+  for (const StressCell& cell : cells) programs.insert(cell.program);
+  std::string text = "measured by ";
+  for (const std::string& each : programs) text += (each == *programs.begin() ? "" : " and ") + each;
+  const bool present = programs.size() == 1 && *programs.begin() == measuring_sources();
+  return text + (present ? ", the sources of this program"
+                         : fmt::format("; this program's sources are {}", measuring_sources()));
+}
+
 std::string stop_kind(const std::string& message) {
   static const std::regex place(R"(^stopped at t = [^:]*: )");
   static const std::regex number_pattern(R"([-+]?\d+(\.\d+)?(e[-+]?\d+)?)");
@@ -82,13 +116,14 @@ std::string stop_kind(const std::string& message) {
 std::string stress_table(const std::vector<StressCase>& cases, const std::vector<StressCell>& cells) {
   const Matrix matrix = summarise(cells);
   const std::vector<std::string> integrators = in_order(cells, integrator_of);
-  std::string text = fmt::format("{} cells: {}, {}, {}, {}\n", cells.size(), count_of(cells, StressStatus::finished),
-                                 count_of(cells, StressStatus::coarse), count_of(cells, StressStatus::stopped),
-                                 count_of(cells, StressStatus::wrong));
+  std::string text = fmt::format("{} cells: {}\n", cells.size(), stress_counts(cells));
+  text += measured_by(cells) + "\n";
   text +=
       "Largest error of the journal's position [clearances] over the laws; 3s: three laws stopped with a reason; "
-      "?: no reference\n"
-      "coarse: further off than the tolerance lets one expect, and warned that it does not resolve the film\n\n";
+      "2?: two finished without a reference\n"
+      "finished: places, velocities and forces at all output times as near to a stored reference of other methods as "
+      "the tolerance lets one expect\n"
+      "coarse: further off, and warned that the tolerance does not resolve the film\n\n";
   text += fmt::format("{:<32}", "case");
   for (const std::string& name : integrators) {
     text += fmt::format("{:>12}", name == "adams_bashforth_moulton" ? "adams_b_m" : name.substr(0, 11));
@@ -165,9 +200,10 @@ void draw_stress(const std::vector<StressCell>& cells, const std::filesystem::pa
       }
       std::string label = at.wrong                ? fmt::format("WRONG {}", at.wrong)
                           : at.stopped == at.laws ? "stopped"
-                          : at.worst < 0          ? "?"
+                          : at.worst < 0          ? "-"
                           : at.worst > 0          ? fmt::format("{:.1f}", std::log10(at.worst))
                                                   : "0";
+      if (at.unreferenced > 0) label += fmt::format("  {}?", at.unreferenced);
       if (at.stopped > 0 && at.stopped < at.laws) label += fmt::format("  {}s", at.stopped);
       const bool dark = at.wrong || (coloured && shade < -5);
       text += fmt::format("set label '{}' at {},{} center front textcolor rgb '{}'\n", label, j, i,
