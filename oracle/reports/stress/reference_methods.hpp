@@ -33,7 +33,8 @@ auto weighted_size(const State& v, const State& scale) {
   R largest(0);
   for (int i = 0; i < v.size(); ++i) {
     const R each = abs(v(i)) / scale(i);
-    if (!(each <= largest)) largest = each;  // NaN stays
+    if (!(each < std::numeric_limits<R>::infinity())) return std::numeric_limits<R>::infinity();  // NaN, too
+    largest = std::max(largest, each);
   }
   return largest;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lubjoint::reports {
 
@@ -17,14 +18,14 @@ constexpr double film_power = 2.5;
 /// larger than either.
 constexpr double reference_margin = 10;
 
-/// NaN counts as the largest.
-void keep_larger(double& largest, double value) {
-  if (!(value <= largest)) largest = value;
+/// A distance from what is not finite is infinite.
+double finite_or_infinite(double distance) {
+  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
 
 double ratio(double error, double limit) {
   if (error == 0) return 0;
-  return limit > 0 ? error / limit : std::numeric_limits<double>::infinity();
+  return limit > 0 && std::isfinite(error) ? error / limit : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -67,9 +68,10 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     if (j == samples.size()) break;
     if (samples[j].t != row.t) continue;
     ++deviation.compared;
-    const std::array<double, 3> errors = {(samples[j].place - row.place).norm(),
-                                          (samples[j].rate - row.rate).norm() / reference.rate_unit,
-                                          (samples[j].force - row.force).norm() / force_unit};
+    std::array<double, 3> errors = {(samples[j].place - row.place).norm(),
+                                    (samples[j].rate - row.rate).norm() / reference.rate_unit,
+                                    (samples[j].force - row.force).norm() / force_unit};
+    for (double& error : errors) error = finite_or_infinite(error);
     const double expected = expected_error(run, row.growth);
     const double share = std::min(1.0, film_power * expected / run.thinnest_film);
     const double speed = row.rate.norm() / reference.rate_unit;
@@ -78,15 +80,15 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
                                           share < 1 ? limits[2] : std::numeric_limits<double>::infinity()};
     static constexpr std::array<const char*, 3> names = {"place", "rate", "force"};
     for (std::size_t k = 0; k < 3; ++k) {
-      keep_larger(largest[k], errors[k]);
+      largest[k] = std::max(largest[k], errors[k]);
       const double known = reference_margin * reference.apart[k];
       const double over = ratio(errors[k], limits[k] + known);
-      if (!(over <= deviation.over_expected)) {
+      if (over > deviation.over_expected) {
         deviation.over_expected = over;
         deviation.worst = fmt::format("{} off by {:.1e} at {:.3g} s, where {:.0e} is expected", names[k], errors[k],
                                       row.t, limits[k] + known);
       }
-      keep_larger(deviation.over_warned, ratio(errors[k], warned[k] + known));
+      deviation.over_warned = std::max(deviation.over_warned, ratio(errors[k], warned[k] + known));
     }
   }
   if (deviation.compared > 0) {
