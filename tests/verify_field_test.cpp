@@ -82,7 +82,7 @@ TEST_CASE("verify: correct pressures and ends of the film pass in double, in sin
     const auto check = [&](const Answers& answers, const std::string& words) {
       const Verification v = verified(quantities, "short_dynamic", states, answers);
       INFO(text_report(v));
-      CHECK(v.verdict() == Verdict::agrees);
+      CHECK(v.verdict == Verdict::agrees);
       CHECK_THAT(v.judgement.precision.words(), Catch::StartsWith(words));
     };
     const Answers in_double =

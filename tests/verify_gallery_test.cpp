@@ -12,9 +12,9 @@ using namespace lubjoint::test;
 namespace {
 
 std::string first_suspicion(const Verification& v) {
-  if (!v.diagnosis || v.diagnosis->suspicions.empty()) return "nothing";
+  if (v.suspicions.empty()) return "nothing";
   std::string names;
-  for (const Mistake* m : v.diagnosis->suspicions[0].mistakes) names += std::string(m->name) + " ";
+  for (const Mistake* m : v.suspicions[0].mistakes) names += std::string(m->name) + " ";
   return names;
 }
 
@@ -26,11 +26,11 @@ void check_all_mistakes(Quantities quantities) {
       INFO(law << " with " << mistake->name);
       const Verification v =
           verified(quantities, law, states, mistaken_answers(quantities, law_of(law), states, {mistake}));
-      REQUIRE(v.verdict() == Verdict::disagrees);
+      REQUIRE(v.verdict == Verdict::disagrees);
       INFO("taken for " << first_suspicion(v));
-      REQUIRE(!v.diagnosis->suspicions.empty());
-      CHECK(v.diagnosis->suspicions[0].names({mistake}));
-      CHECK(v.diagnosis->suspicions[0].explains_all());
+      REQUIRE(!v.suspicions.empty());
+      CHECK(v.suspicions[0].names({mistake}));
+      CHECK(v.suspicions[0].explains_all());
     }
   }
 }
@@ -50,8 +50,8 @@ void check_pairs(Quantities quantities, int each) {
       if (first == second) continue;
       const Verification v =
           verified(quantities, law, states, mistaken_answers(quantities, law_of(law), states, {first, second}));
-      if (v.verdict() != Verdict::disagrees) continue;  // two signs that cancel
-      const auto& found = v.diagnosis->suspicions;
+      if (v.verdict != Verdict::disagrees) continue;  // two signs that cancel
+      const auto& found = v.suspicions;
       // One mistake that does what both do is as good an answer: the other is then without effect.
       if (!found.empty() && found[0].explains_all() && found[0].mistakes.size() == 1) continue;
       ++tried;
@@ -108,13 +108,11 @@ TEST_CASE("gallery: mistakes are named in single precision and from seven printe
       const Verification b =
           verified(Quantities::cartesian, law, states, through_text(Quantities::cartesian, exact, "{:.6e}"));
       INFO(law << " with " << mistake->name << ", taken for " << first_suspicion(a) << "and " << first_suspicion(b));
-      CHECK(a.verdict() == Verdict::disagrees);
-      CHECK(b.verdict() == Verdict::disagrees);
+      CHECK(a.verdict == Verdict::disagrees);
+      CHECK(b.verdict == Verdict::disagrees);
       ++tried;
-      if (a.diagnosis && !a.diagnosis->suspicions.empty() && a.diagnosis->suspicions[0].names({mistake}))
-        ++named_in_single;
-      if (b.diagnosis && !b.diagnosis->suspicions.empty() && b.diagnosis->suspicions[0].names({mistake}))
-        ++named_in_text;
+      if (!a.suspicions.empty() && a.suspicions[0].names({mistake})) ++named_in_single;
+      if (!b.suspicions.empty() && b.suspicions[0].names({mistake})) ++named_in_text;
     }
     INFO(law << ": of " << tried << " mistakes " << named_in_single << " named in single, " << named_in_text
              << " from seven digits");
@@ -179,13 +177,13 @@ TEST_CASE("verify: a law is found by its answers, also where the program makes a
     INFO(law);
     const auto right = verified(Quantities::cartesian, "auto", states,
                                 mistaken_answers(Quantities::cartesian, law_of(law), states, {}));
-    CHECK(right.verdict() == Verdict::agrees);
+    CHECK(right.verdict == Verdict::agrees);
     CHECK(name_of(right.judgement.law) == law);
     const Mistake& mistake = mistake_of("inertial_attitude_rate");
     const auto wrong = verified(Quantities::cartesian, "auto", states,
                                 mistaken_answers(Quantities::cartesian, law_of(law), states, {&mistake}));
-    CHECK(wrong.verdict() == Verdict::disagrees);
+    CHECK(wrong.verdict == Verdict::disagrees);
     CHECK(name_of(wrong.judgement.law) == law);
-    CHECK(wrong.diagnosis->suspicions[0].names({&mistake}));
+    CHECK(wrong.suspicions[0].names({&mistake}));
   }
 }

@@ -93,7 +93,7 @@ TEST_CASE("verify: what it expects is what the golden file says") {
     return library_answer<double>(Quantities::polar, law, state);
   });
   const Verification v = verified(Quantities::polar, law, states, answers);
-  CHECK(v.verdict() == Verdict::disagrees);
+  CHECK(v.verdict == Verdict::disagrees);
   CHECK(v.judgement.failing.size() == 1);
   CHECK_THAT(text_report(v), Catch::Contains("certified: film_force.csv, line " + std::to_string(row + 2)));
 }
@@ -107,11 +107,11 @@ TEST_CASE("verify: golden states that single precision can't decide are left out
                       }));
     };
     const Verification in_double = answer(double());
-    CHECK(in_double.verdict() == Verdict::agrees);
+    CHECK(in_double.verdict == Verdict::agrees);
     CHECK(in_double.judgement.left_out == 0);
     const Verification in_single = answer(float());
     INFO(law << "\n" << text_report(in_single));
-    CHECK(in_single.verdict() == Verdict::agrees);
+    CHECK(in_single.verdict == Verdict::agrees);
     CHECK(in_single.judgement.left_out > 0);
     CHECK(in_single.judgement.judged() > 200);
     CHECK_THAT(text_report(in_single), Catch::Contains("left out"));

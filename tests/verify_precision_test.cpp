@@ -43,6 +43,11 @@ std::array<double, most_answers> printed_forms(std::string_view law, const State
           radial * std::sin(gamma) + tangential * std::cos(gamma), 0, 0};
 }
 
+/// Thinner than single precision can state well.
+bool has_thin_film(Quantities quantities, const State& state) {
+  return references(quantities, Law::short_full, {state})[0].gap < 5.1e-5;
+}
+
 }  // namespace
 
 TEST_CASE("verify: its own work from the printed formulas is the library's answer in 50 digits") {
@@ -73,11 +78,12 @@ TEST_CASE("verify: a correct program passes in double, in single, and printed wi
       const auto check = [&](const Answers& answers, const std::string& words) {
         const Verification v = verified(quantities, law, states, answers);
         INFO(words << "\n" << text_report(v));
-        CHECK(v.verdict() == Verdict::agrees);
+        CHECK(v.verdict == Verdict::agrees);
         CHECK_THAT(v.judgement.precision.words(), Catch::StartsWith(words));
+        return static_cast<double>(v.judgement.undecided) / static_cast<double>(v.judgement.judged());
       };
-      check(in_double, "double precision");
-      check(in_single, "single precision");
+      CHECK(check(in_double, "double precision") <= 0.02);  // the wall's last decades
+      CHECK(check(in_single, "single precision") <= 0.3);   // 1 - e/c below 1e-3 and cancelling terms: a quarter at most
       check(through_text(quantities, in_double, "{:.17g}"), "double precision");
       check(through_text(quantities, in_double, "{}"), "double precision");
       check(through_text(quantities, in_double, "{:.7g}"), "double precision, 7 digits");
@@ -90,13 +96,20 @@ TEST_CASE("verify: a correct program passes in double, in single, and printed wi
 }
 
 TEST_CASE("verify: the printed formulas, with angles and powers, pass in double for every law") {
-  const std::vector<State> states = states_to_verify(Quantities::cartesian, 2000, 4);
+  // Thinner than this, the sums of the dynamic laws' printed forms are differences of equal numbers, over which they
+  // divide: no number at all.
+  const std::vector<State> states =
+      verify::states_to_verify(Quantities::cartesian, golden_folder(), 2000, 4,
+                               read_conditions(Quantities::cartesian, "one_minus_eccentricity_ratio >= 1e-8"));
   for (const std::string_view law : film_law_names) {
     const Answers answers =
         answers_of(Quantities::cartesian, states, [&](const State& s) { return printed_forms(law, s); });
     const Verification v = verified(Quantities::cartesian, law, states, answers);
     INFO(text_report(v));
-    CHECK(v.verdict() == Verdict::agrees);
+    CHECK(v.verdict == Verdict::agrees);
+    // What the dynamic laws' printed forms lose where the film opens: a sixth of these states was measured.
+    const double most = is_dynamic(law_of(law)) ? 0.2 : 0.02;
+    CHECK(static_cast<double>(v.judgement.undecided) <= most * static_cast<double>(states.size()));
   }
 }
 
@@ -109,7 +122,7 @@ TEST_CASE("verify: a program that computes in single and prints what double prin
     return wide;
   });
   const Verification v = verified(Quantities::cartesian, "long_half", states, answers);
-  CHECK(v.verdict() == Verdict::agrees);
+  CHECK(v.verdict == Verdict::agrees);
   CHECK(v.judgement.precision.words() == "single precision");
 }
 
@@ -123,7 +136,8 @@ TEST_CASE("verify: states are the same for a seed and of every regime, those of 
       regimes.insert(regime_of(quantities, state));
       if (state.golden) continue;
       for (const StateColumn& column : state_columns(quantities)) {
-        CHECK(is_single(state.*column.value));
+        const bool holds_film = column.name == "ex" || column.name == "ey" || column.name == "eccentricity_ratio";
+        if (!holds_film || !has_thin_film(quantities, state)) CHECK(is_single(state.*column.value));
       }
     }
     CHECK(regimes.size() == (quantities == Quantities::transition ? 6 : 5));

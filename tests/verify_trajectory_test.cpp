@@ -48,7 +48,7 @@ TEST_CASE("trajectory: a right path on coarse times agrees, as what interpolatio
     CHECK(d.agrees());
     errors[i] = d.rms;
   }
-  CHECK(errors[0] > 1e-3);                         // more than the tolerance: interpolation
+  CHECK(errors[0] > 1e-3);                        // more than the tolerance: interpolation
   CHECK(std::log2(errors[0] / errors[1]) > 1.9);  // modified Akima: at least second order in the step
 }
 

@@ -46,7 +46,9 @@ JournalTrajectory simulate_journal_with(const Scene& scene) {
   result.samples = recorder.samples();
   result.sliding = recorder.sliding();
   result.max_eccentricity_ratio = recorder.max_eccentricity_ratio();
+  result.t_max_eccentricity_ratio = recorder.t_max_eccentricity_ratio();
   result.max_force = recorder.max_force();
+  result.t_max_force = recorder.t_max_force();
   result.min_film_thickness = parts.bearing.clearance() * (1 - result.max_eccentricity_ratio);
   return result;
 }

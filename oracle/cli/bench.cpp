@@ -1,15 +1,19 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <vector>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/reports/bench/bench_manifest.hpp"
+#include "oracle/reports/bench/bench_tables.hpp"
 #include "oracle/reports/bench/law_bench.hpp"
 #include "oracle/reports/bench/scene_bench.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/kept_rows.hpp"
+#include "oracle/reports/page/provenance.hpp"
 #include "oracle/reports/quadrature_bench.hpp"
 
 namespace lubjoint::cli {
@@ -22,6 +26,10 @@ struct BenchOptions {
   std::vector<Scene> scenes;  ///< of these files
   std::vector<std::string> integrators;
   std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> data;    ///< folder with rows measured before
+  std::optional<std::filesystem::path> readme;  ///< text with a table of them
+  std::optional<int> repeats;
+  std::optional<double> seconds;
   bool quick = false;
 
   /// Writes a file into the folder, if one was named.
@@ -75,14 +83,32 @@ std::vector<std::string_view> shipped_scenes() {
           "impact"};
 }
 
+/// The tables of rows that were measured before.
+void show_measured_scenes(const BenchOptions& options) {
+  const std::string file = (*options.data / "bench-scenes.csv").string();
+  const auto rows = reports::read_bench_rows(reports::CsvTable(reports::read_input(file), file));
+  if (options.readme) {
+    const std::string text = reports::read_input(options.readme->string());
+    reports::write_file(*options.readme, reports::with_bench_block(text, reports::scene_bench_markdown(rows)));
+    std::cerr << "written: " << options.readme->string() << '\n';
+  }
+  std::cout << reports::scene_bench_table(rows);
+}
+
 void bench_scenes(const BenchOptions& options) {
+  if (options.data) return show_measured_scenes(options);
   auto settings = reports::scene_bench_settings(options.quick);
   settings.integrators = options.integrators;
+  settings.limits.repeats = options.repeats.value_or(settings.limits.repeats);
+  settings.limits.seconds = options.seconds.value_or(settings.limits.seconds);
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
   const auto bench = reports::bench_scenes(options.scenes, settings);
-  std::cout << reports::scene_bench_table(bench);
-  options.save("bench-scenes.csv", reports::scene_bench_csv(bench));
-  if (options.out) reports::draw_scene_bench(bench, *options.out);
+  std::cout << reports::scene_bench_table(bench.rows, bench.references);
+  const std::string csv = reports::scene_bench_csv(bench.rows);
+  options.save("bench-scenes.csv", csv);
+  const reports::page::Provenance made = reports::page::provenance(LUBJOINT_VERSION, {{"CLI11", CLI11_VERSION}});
+  options.save("bench-scenes.json", reports::bench_manifest(csv, settings, made.software, made.machine));
+  if (options.out) reports::draw_scene_bench(bench.rows, *options.out);
   reports::discard_kept_rows(settings.resume_file);
 }
 
@@ -113,6 +139,36 @@ void require_tables(const BenchOptions& options) {
   }
 }
 
+/// @throws std::invalid_argument for limits that are none, or that nothing would obey
+void require_limits(const BenchOptions& options) {
+  if (options.repeats && *options.repeats < 1) {
+    throw std::invalid_argument("--repeats is " + std::to_string(*options.repeats) + "; allowed are numbers from 1 on");
+  }
+  if (options.seconds && !(*options.seconds > 0 && std::isfinite(*options.seconds))) {
+    throw std::invalid_argument("--seconds is " + reports::number(*options.seconds) + "; allowed are numbers above 0");
+  }
+  const bool scenes = options.tables.empty() || std::ranges::find(options.tables, "scenes") != options.tables.end();
+  if ((options.repeats || options.seconds || !options.integrators.empty()) && !scenes) {
+    throw std::invalid_argument(
+        "--repeats, --seconds and --integrator are of the table scenes; allowed are they and it, or none of them");
+  }
+}
+
+/// @throws std::invalid_argument that says what --data and --readme go with
+void require_data_options(const BenchOptions& options) {
+  if (options.readme && !options.data) {
+    throw std::invalid_argument("--readme is given without --data; allowed are both or neither");
+  }
+  if (!options.data) return;
+  const bool scenes_alone = options.tables.size() == 1 && options.tables[0] == "scenes";
+  const bool measures = options.quick || options.out || options.repeats || options.seconds ||
+                        !options.scene_files.empty() || !options.integrators.empty();
+  if (!scenes_alone || measures) {
+    throw std::invalid_argument(
+        "--data shows what was measured before; allowed beside it are the table scenes and --readme alone");
+  }
+}
+
 bool is_wanted(const BenchTable& table, const BenchOptions& options) {
   if (options.tables.empty()) return table.name == "scenes" || options.scene_files.empty();
   return std::ranges::find(options.tables, table.name) != options.tables.end();
@@ -121,8 +177,10 @@ bool is_wanted(const BenchTable& table, const BenchOptions& options) {
 int run_bench(BenchOptions options) {
   for (const std::string& file : options.scene_files) options.scenes.push_back(load_scene(file));
   require_tables(options);
+  require_limits(options);
+  require_data_options(options);
   for (const std::string& name : options.integrators) require_name("--integrator", name, reports::raced_methods());
-  if (options.scenes.empty()) {
+  if (options.scenes.empty() && !options.data) {
     for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
       options.scenes.push_back(load_scene(std::filesystem::path(scenes_folder()) / (std::string(name) + ".toml")));
     }
@@ -147,6 +205,11 @@ void add_bench(CLI::App& app, Action& action) {
   command->add_option("--scene", options->scene_files, "Scene files in place of those that ship");
   command->add_option("--integrator", options->integrators, "These integrators alone (of scenes)");
   command->add_option("--out", options->out, "Folder for the tables as CSV");
+  command->add_option("--repeats", options->repeats, "Of scenes: runs whose median counts (9; with --quick 3)");
+  command->add_option("--seconds", options->seconds,
+                      "Of scenes: processor time after which a run is given up, and is not repeated a fourth time (1)");
+  command->add_option("--data", options->data, "Of scenes: what bench --out wrote into this folder, not a new run");
+  command->add_option("--readme", options->readme, "With --data: a text whose table between its marks is replaced");
   command->add_flag("--quick", options->quick, "Fewer cases and repeats: about a minute");
   command->callback([options, &action] { action = [options] { return run_bench(*options); }; });
 }

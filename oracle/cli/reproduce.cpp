@@ -4,6 +4,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/reports/bench/bench_manifest.hpp"
 #include "oracle/reports/data_folder.hpp"
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/page/page.hpp"
@@ -36,7 +37,15 @@ void read_data(const fs::path& folder, page::Content& content) {
         "--data \"" + folder.string() +
         "\" holds neither bench-scenes.csv nor stress.csv; allowed is a folder with one or both");
   }
-  if (timed) content.run_times = page::read_run_times(reports::read_input(run_times.string()), run_times.string());
+  if (timed) {
+    const std::string csv = reports::read_input(run_times.string());
+    content.run_times = page::read_run_times(csv, run_times.string());
+    const fs::path manifest = folder / "bench-scenes.json";
+    if (fs::exists(manifest, unreadable)) {
+      content.run_times->measured_by =
+          reports::measured_by(reports::read_input(manifest.string()), csv, manifest.string());
+    }
+  }
   if (stressed) content.stability = page::read_stability(reports::read_input(stability.string()), stability.string());
 }
 

@@ -1,5 +1,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/scene_options.hpp"
@@ -26,7 +27,9 @@ struct VerifyOptions {
   std::string answers;
   std::string scene;
   std::string trajectory;
-  double tolerance = 1e-3;
+  std::optional<double> tolerance;
+  std::string only;
+  bool steady = false;
   bool list_mistakes = false;
   bool markdown = false;
   bool json = false;
@@ -43,6 +46,10 @@ void check(const VerifyOptions& o) {
     require_name("--law", o.law, allowed);
   }
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
+  if (o.tolerance) {
+    require_option("--tolerance", *o.tolerance, *o.tolerance > 0 && *o.tolerance <= 0.1, "a number above 0, to 0.1");
+    if (!o.states_out.empty()) throw std::invalid_argument("--tolerance does nothing with --states-out");
+  }
   const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
   if (ways == 1) return;
   throw std::invalid_argument(
@@ -57,15 +64,8 @@ int report(const verify::Verification& result, bool json) {
   } else {
     std::cout << verify::text_report(result);
   }
-  switch (result.verdict()) {
-    case verify::Verdict::agrees:
-      return 0;
-    case verify::Verdict::disagrees:
-      return 1;
-    case verify::Verdict::unjudged:
-      break;
-  }
-  return 2;
+  if (result.accepted()) return 0;
+  return result.verdict == verify::Verdict::undecided ? 2 : 1;
 }
 
 /// A trajectory against our own run of its scene.
@@ -73,13 +73,17 @@ int verify_trajectory(const VerifyOptions& o) {
   if (o.scene.empty() || o.trajectory.empty()) {
     throw std::invalid_argument("--scene and --trajectory go together; one of them is missing");
   }
-  require_option("--tolerance", o.tolerance, o.tolerance >= 1e-6 && o.tolerance <= 0.1, "a number from 1e-6 to 0.1");
+  const double tolerance = o.tolerance.value_or(1e-3);
+  require_option("--tolerance", tolerance, tolerance >= 1e-6 && tolerance <= 0.1, "a number from 1e-6 to 0.1");
+  if (!o.only.empty() || o.steady) {
+    throw std::invalid_argument("--only and --steady select states; a trajectory (--scene) has none");
+  }
   SceneOptions options;
   options.file = o.scene;
   if (!o.law.empty()) options.law = o.law;
   const Scene scene = options.load();
   const std::string given = reports::read_input(o.trajectory);
-  const verify::SceneReference reference = verify::scene_reference(scene, o.tolerance);
+  const verify::SceneReference reference = verify::scene_reference(scene, tolerance);
   const auto golden = verify::golden_agreement(reference, scenes_folder(), o.golden);
   if (golden && !golden->confirms()) {
     throw verify::UnjudgedError("our own run is not the golden trajectory " + golden->file +
@@ -99,11 +103,22 @@ int verify_trajectory(const VerifyOptions& o) {
 /// Says why something could not be judged.
 int refuse(const VerifyOptions& o, const verify::UnjudgedError& error) {
   if (o.json) {
-    const nlohmann::json refused = {{"verdict", "could not be judged"}, {"message", error.what()}};
+    const nlohmann::json refused = {{"verdict", "undecided"}, {"message", error.what()}};
     std::cout << refused.dump(2) << '\n';
   }
   std::cerr << "lubjoint: could not be judged: " << error.what() << '\n';
   return 2;
+}
+
+/// Steady rotation in a bearing at rest, and what --only says.
+verify::Conjunction domain_of(const VerifyOptions& o, verify::Quantities quantities) {
+  verify::Conjunction domain;
+  if (!o.only.empty()) domain = verify::read_conditions(quantities, o.only);
+  if (!o.steady) return domain;
+  const char* steady =
+      verify::is_polar(quantities) ? "squeeze_rate == 0, attitude_rate == 0" : "speed == 0, omega_bearing == 0";
+  for (verify::Condition& condition : verify::read_conditions(quantities, steady)) domain.push_back(condition);
+  return domain;
 }
 
 /// The states to ask about. Golden data that were cut off or changed would judge a right program to be wrong.
@@ -112,7 +127,7 @@ std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities 
     throw std::invalid_argument("golden data in \"" + o.golden + "\": " + differences.front().text() +
                                 "; allowed is the folder data/golden that comes with lubjoint, as it came");
   }
-  return verify::states_to_verify(quantities, o.golden, o.states, o.seed);
+  return verify::states_to_verify(quantities, o.golden, o.states, o.seed, domain_of(o, quantities));
 }
 
 int run(const VerifyOptions& o) {
@@ -147,7 +162,8 @@ int run(const VerifyOptions& o) {
                                                              std::chrono::duration<double>(o.timeout));
     const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
     verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
-    return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers)), o.json);
+    const verify::VerifySettings settings{o.tolerance.value_or(0), verify::words(domain_of(o, quantities))};
+    return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers), settings), o.json);
   } catch (const verify::UnjudgedError& error) {
     return refuse(o, error);
   }
@@ -173,7 +189,13 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_option("--trajectory", options->trajectory,
                       "CSV with t and any columns of those that simulate --out writes; - is stdin");
   command->add_option("--tolerance", options->tolerance,
-                      "Of a trajectory: places in clearances, the rest in its largest value");
+                      "Of answers: error over |F| that is right, for a numerical program (default: rounding, by each "
+                      "state's conditioning). Of a trajectory: places in clearances, the rest in its largest value "
+                      "(default: 1e-3)");
+  command->add_option(
+      "--only", options->only,
+      "Domain that the program is meant for: conditions such as \"omega_sum > 0, eccentricity_ratio > 0\"");
+  command->add_flag("--steady", options->steady, "Steady states alone: no squeeze, no whirl, the bearing at rest");
   command->add_flag("--list-mistakes", options->list_mistakes, "Describe the known mistakes and do no more");
   command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
   command->add_flag("--json", options->json, "One JSON object");

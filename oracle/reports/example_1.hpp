@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/reports/check.hpp"
 #include "oracle/reports/figure.hpp"
+#include "oracle/reports/journal_motion.hpp"
 
 namespace lubjoint::reports {
 
@@ -17,28 +20,35 @@ struct Example1Law {
   Scene scene;
   JournalTrajectory run;
   JournalEquilibrium rest;
-  double start_distance = 0;         ///< |ê − ê_eq| at the start
-  double end_distance = 0;           ///< and at the end
-  bool rests = false;                ///< the orbit has shrunk to less than a tenth
-  double integrator_difference = 0;  ///< largest |Δê| between Radau IIA(5) and Fehlberg 7(8), tolerance 1e-10
-  double long_run_distance = 0;      ///< |ê − ê_eq| after three times the duration
-  double predicted_distance = 0;     ///< what the leading eigenvalue makes of end_distance until then
-  std::string paper;                 ///< what the paper's figures 9 to 11 say of this law
-  std::vector<std::string> failures;
+  double end_distance = 0;               ///< |ê − ê_eq| at the end of the run
+  double long_run_distance = 0;          ///< and after three times the duration
+  Behaviour found = Behaviour::neither;  ///< what the orbit does within three times the duration
+  std::string paper;                     ///< what the paper's figures 9 to 11 say of this law; "-": nothing
+  std::optional<MotionRate> near_rest;   ///< of the motion from 1e-3 c off the equilibrium
+  std::optional<MotionRate>
+      from_the_start;  ///< of the scene's own run, as far as it comes round: amplitude shows in it
+  Verdict verdict;
 };
 
 struct Example1 {
   double load = 0;  ///< |W| [N]
   std::vector<Example1Law> laws;
-  bool passed() const;
+  std::vector<const Verdict*> verdicts() const;  ///< in the order of the laws
+  bool passed() const;                           ///< does every law agree?
 };
 
-/// Runs the journal scene with all laws. @param scene  free journal; its own law and tolerances are replaced
+/// Runs the journal scene with all laws, on all cores. @param scene  free journal; its own law and tolerances are
+/// replaced
 Example1 run_example_1(const Scene& scene);
+
+/// A run from near the equilibrium: displaced by 1e-3 c along the leading eigenvector, with its velocity. It lasts
+/// until what decays is down to 1e-8 c; else forty turns, or until the displacement has grown tenfold.
+Scene displaced_from(const Scene& scene, const JournalEquilibrium& rest);
 
 /// The table that people read, and the same as CSV.
 std::string example_1_table(const Example1& example);
 std::string example_1_csv(const Example1& example);
+std::string example_1_checks_csv(const Example1& example);
 
 /// The paper's figure 9: a panel a law, in the order of the laws.
 Figure journal_orbit_figure(const Example1& example);

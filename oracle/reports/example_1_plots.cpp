@@ -72,6 +72,8 @@ std::vector<std::string> write_example_1(const Example1& example, const std::fil
   }
   files.push_back("journal-summary.csv");
   write_file(folder / files.back(), example_1_csv(example));
+  files.push_back("journal-checks.csv");
+  write_file(folder / files.back(), example_1_checks_csv(example));
   const auto sheet = [&](const Figure& figure, int height, const char* name) {
     draw(on_one_sheet(figure, 2, 4, 1400, height), folder, name);
     for (const char* extension : {".svg", ".png"}) files.push_back(std::string(name) + extension);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/reports/check.hpp"
 #include "oracle/reports/figure.hpp"
 
 namespace lubjoint::reports {
@@ -22,31 +23,30 @@ struct PeriodicOrbit {
 struct Example2Case {
   Scene scene;
   MultibodyTrajectory run;
-  double oracle_difference = 0;  ///< largest |Δê| to minimal coordinates over the run
-  double moment_difference = 0;  ///< largest difference of the driving moment, over the ideal one's peak
   double repeat_difference = 0;  ///< largest |Δê| of the second revolution to the first
   double swapped_ratio = 0;      ///< largest |Δε| when bearing and journal change bodies
   double swapped_force = 0;      ///< peak force then [N]
-  PeriodicOrbit orbit;
-  std::vector<std::string> failures;
+  PeriodicOrbit orbit;           ///< in minimal coordinates
+  Verdict verdict;
 };
 
 struct Example2 {
   MultibodyTrajectory ideal;
-  double ideal_force = 0;          ///< peak force on the ideal gudgeon pin, closed form [N]
-  double ideal_moment = 0;         ///< peak driving moment, closed form [N m]
-  double reaction_difference = 0;  ///< largest difference of pin force and moment to the closed form, relative
-  double torque_difference = 0;    ///< largest relative difference of ½ I_eff θ˙² and Mθ
+  double ideal_force = 0;   ///< peak force on the ideal gudgeon pin, closed form [N]
+  double ideal_moment = 0;  ///< peak driving moment, closed form [N m]
+  Verdict ideal_verdict;    ///< of the ideal mechanisms
   std::vector<Example2Case> cases;
-  std::vector<std::string> failures;  ///< of the ideal mechanisms
+
+  std::vector<const Verdict*> verdicts() const;  ///< in the order of the cases
   bool passed() const;
 };
 
-/// @param scenes  folder with the slider-crank scenes
+/// All parameter sets, on all cores. @param scenes  folder with the slider-crank scenes
 Example2 run_example_2(const std::filesystem::path& scenes);
 
 std::string example_2_table(const Example2& example);
 std::string example_2_csv(const Example2& example);
+std::string example_2_checks_csv(const Example2& example);
 
 enum class SliderCrankQuantity { force, moment, orbit, film };
 

@@ -106,6 +106,8 @@ std::vector<std::string> write_example_2(const Example2& example, const std::fil
   }
   files.push_back("slider-crank-summary.csv");
   write_file(folder / files.back(), example_2_csv(example));
+  files.push_back("slider-crank-checks.csv");
+  write_file(folder / files.back(), example_2_checks_csv(example));
   if (example.cases.empty()) return files;
   const auto sheet = [&](SliderCrankQuantity quantity, const char* name) {
     draw(on_one_sheet(slider_crank_figure(example, quantity), 2, 3, 1400, 800), folder, name);

@@ -57,7 +57,9 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
                     {"final", final_state},
                     {"max_eccentricity_ratio", run.max_eccentricity_ratio},
                     {"max_force", run.max_force},
+                    {"t_max_force", run.t_max_force},
                     {"min_film_thickness", run.min_film_thickness},
+                    {"t_min_film_thickness", run.t_max_eccentricity_ratio},
                     {"sliding", sliding}});
   nlohmann::ordered_json summary = outcome_json(scene.name, joint.film, run.outcome, run.wall_seconds);
   summary["joints"] = joints;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/reports/accuracy.hpp"
+#include "oracle/reports/check.hpp"
 #include "oracle/reports/pinkus_sternlicht_difference.hpp"
 
 namespace lubjoint::reports {
@@ -25,7 +26,8 @@ struct LawCheck {
   std::optional<Quadrature> quadrature;
   double rounding = 0;  ///< largest difference to 100 digits, ε up to 1 − 1e-6
   double allowed = 0;   ///< of both
-  bool agrees() const { return (!quadrature || quadrature->largest <= allowed) && rounding <= allowed; }
+  Verdict verdict() const;
+  bool agrees() const { return verdict().agrees(); }
 };
 
 /// What the checks draw their states from.

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/minima.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -22,8 +23,9 @@ using mechanisms::DeviationState;
 template <class R>
 class Integration {
  public:
-  explicit Integration(double tolerance)
-      : stepper_(boost::numeric::odeint::make_controlled(R(tolerance), R(0), Pair())) {}
+  /// @param first_step  0: a thousandth of the first stretch
+  explicit Integration(double tolerance, const R& first_step = R(0))
+      : stepper_(boost::numeric::odeint::make_controlled(R(tolerance), R(0), Pair())), dt_(first_step) {}
 
   template <class Mechanism>
   void to(const Mechanism& mechanism, DeviationState<R>& y, R& t, const R& goal) {
@@ -52,7 +54,7 @@ class Integration {
  private:
   using Pair = boost::numeric::odeint::runge_kutta_fehlberg78<DeviationState<R>, R>;
   boost::numeric::odeint::controlled_runge_kutta<Pair> stepper_;
-  R dt_ = 0;
+  R dt_;
 };
 
 /// A start (q, q̇) of all bodies as deviation from the ideal mechanism with its crank at 0.
@@ -73,23 +75,74 @@ DeviationState<R> deviation_of(const Scene& scene, const std::vector<R>& start) 
           (start.at(rates + x) - ideal.slider.rate) / (c * speed)};
 }
 
+/// A run of one law in 64-bit significands, sampled, and the states of the samples.
 template <class Law>
-std::vector<ReferenceSample> run_with(const Scene& scene, const std::vector<double>& times, double tolerance,
-                                      const std::vector<long double>& start) {
+class Run {
+ public:
   using R = long double;
-  const auto mechanism = lubricated_slider_crank<Law, R>(scene);
-  Integration<R> integration(tolerance);
-  DeviationState<R> y{0, 0, 0, 0};
-  if (!start.empty()) y = deviation_of<R>(scene, start);
-  R t = 0;
-  std::vector<ReferenceSample> samples;
-  for (const double time : times) {
-    integration.to(mechanism, y, t, R(time));
-    const auto pin = mechanism.pin(t, y);
-    samples.push_back({pin.eccentricity.template cast<double>(), pin.force.template cast<double>(),
-                       static_cast<double>(mechanism.driving_moment(t, y))});
+
+  Run(const Scene& scene, const std::vector<double>& times, double tolerance, const std::vector<long double>& start)
+      : mechanism_(lubricated_slider_crank<Law, R>(scene)), times_(times), tolerance_(tolerance) {
+    Integration<R> integration(tolerance);
+    DeviationState<R> y{0, 0, 0, 0};
+    if (!start.empty()) y = deviation_of<R>(scene, start);
+    R t = 0;
+    for (const double time : times) {
+      integration.to(mechanism_, y, t, R(time));
+      states_.push_back(y);
+      samples_.push_back(sample(t, y));
+    }
   }
-  return samples;
+
+  const std::vector<ReferenceSample>& samples() const { return samples_; }
+
+  /// @param quantity  of a sample
+  template <class Quantity>
+  Peak peak(const Quantity& quantity) const {
+    std::vector<double> values;
+    for (const ReferenceSample& each : samples_) values.push_back(quantity(each));
+    const std::size_t last = values.size() - 1;
+    const auto largest = std::max_element(values.begin(), values.end());
+    Peak best{*largest, times_[static_cast<std::size_t>(largest - values.begin())]};
+    // What a maximum can gain between samples is far less than a tenth of it.
+    const double near = best.value - std::abs(best.value) / 10;
+    for (std::size_t i = 0; i <= last; ++i) {
+      if (values[i] < near || (i > 0 && values[i] < values[i - 1]) || (i < last && values[i] < values[i + 1])) continue;
+      const std::size_t from = i == 0 ? 0 : i - 1;
+      const auto found =
+          boost::math::tools::brent_find_minima([&](double time) { return -quantity(sample_between(from, time)); },
+                                                times_[from], times_[std::min(i + 1, last)], 24);
+      if (-found.second > best.value) best = {-found.second, found.first};
+    }
+    return best;
+  }
+
+ private:
+  ReferenceSample sample(const R& t, const DeviationState<R>& y) const {
+    const auto pin = mechanism_.pin(t, y);
+    return {pin.eccentricity.template cast<double>(), pin.force.template cast<double>(),
+            static_cast<double>(mechanism_.driving_moment(t, y))};
+  }
+
+  ReferenceSample sample_between(std::size_t from, double time) const {
+    DeviationState<R> y = states_[from];
+    R t = times_[from];
+    if (time > times_[from]) Integration<R>(tolerance_, R(times_[1] - times_[0]) / 8).to(mechanism_, y, t, R(time));
+    return sample(t, y);
+  }
+
+  mechanisms::LubricatedSliderCrank<Law, R> mechanism_;
+  std::vector<double> times_;
+  double tolerance_;
+  std::vector<DeviationState<R>> states_;
+  std::vector<ReferenceSample> samples_;
+};
+
+void require_minimal_coordinates(const Scene& scene) {
+  require_film_law(scene.joints.at(0).film);
+  if (scene.joints[0].film != PinkusSternlicht::name) {
+    throw std::invalid_argument("minimal coordinates are run with pinkus_sternlicht alone");
+  }
 }
 
 template <class Law>
@@ -150,11 +203,21 @@ bool has_minimal_coordinates(const Scene& scene) {
 
 std::vector<ReferenceSample> minimal_coordinates_run(const Scene& scene, const std::vector<double>& times,
                                                      double tolerance, const std::vector<long double>& start) {
-  require_film_law(scene.joints.at(0).film);
-  if (scene.joints[0].film != PinkusSternlicht::name) {
-    throw std::invalid_argument("minimal coordinates are run with pinkus_sternlicht alone");
-  }
-  return run_with<PinkusSternlicht>(scene, times, tolerance, start);
+  require_minimal_coordinates(scene);
+  return Run<PinkusSternlicht>(scene, times, tolerance, start).samples();
+}
+
+ReferenceRun minimal_coordinates_run_with_peaks(const Scene& scene, const std::vector<double>& times,
+                                                double tolerance) {
+  require_minimal_coordinates(scene);
+  if (times.size() < 2) throw std::invalid_argument("peaks need two times at least");
+  const Run<PinkusSternlicht> run(scene, times, tolerance, {});
+  const Peak least = run.peak([](const ReferenceSample& s) { return -s.driving_moment; });
+  return {run.samples(),
+          {run.peak([](const ReferenceSample& s) { return s.eccentricity_ratio.norm(); }),
+           run.peak([](const ReferenceSample& s) { return s.force.norm(); }),
+           run.peak([](const ReferenceSample& s) { return s.driving_moment; }),
+           {-least.value, least.t}}};
 }
 
 PeriodicOrbit periodic_orbit(const Scene& scene, const Vector2<double>& last) {

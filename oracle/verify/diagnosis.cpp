@@ -1,17 +1,13 @@
 #include "oracle/verify/diagnosis.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <set>
 
 namespace lubjoint::verify {
 
 namespace {
-
-constexpr double single_roundoff = 0x1p-24;
 
 using Set = std::vector<const Mistake*>;
 
@@ -22,55 +18,74 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& all, std::size_
   return some;
 }
 
-/// The states at which suspicions are tried: failing ones first.
-struct Sample {
-  std::vector<std::size_t> states;
-  std::size_t failing;
-};
-
-Sample sample_of(const Judgement& judgement, std::size_t most_failing, std::size_t most_passing) {
-  std::vector<std::size_t> passing;
-  for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
-    if (judgement.comparisons[i].passes()) passing.push_back(i);
-  }
-  Sample sample{thinned(judgement.failing, most_failing), 0};
-  sample.failing = sample.states.size();
-  const auto some = thinned(passing, most_passing);
-  sample.states.insert(sample.states.end(), some.begin(), some.end());
-  return sample;
-}
-
+/// A program's answers at one precision: what a set of mistakes is held against.
 class Matcher {
  public:
-  Matcher(const Judgement& judgement, const std::vector<State>& states, const Answers& answers)
+  Matcher(const Judgement& judgement, const std::vector<State>& states, const Answers& answers, double precision)
       : judgement_(judgement),
         states_(states),
         answers_(answers),
-        columns_(answer_columns(judgement.quantities).size()) {}
-
-  /// True if a program with these mistakes would have answered so.
-  bool predicts(const Set& mistakes, std::size_t i) const {
-    const Solution wrong = solve_with(judgement_.quantities, judgement_.law, states_[i], mistakes);
-    return std::ranges::all_of(range(columns_), [&](std::size_t k) { return near(wrong.answer[k], i, k); });
+        precision_(precision),
+        columns_(answer_columns(judgement.quantities).size()) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Comparison& c = judgement.comparisons[i];
+      if (c.left_out()) continue;
+      const bool near_enough = c.outcome != Outcome::not_a_number && precision > 0 && is_right(i);
+      if (c.right() || near_enough) {
+        passing_.push_back(i);
+      } else if (c.fails()) {
+        failing_.push_back(i);
+      }
+    }
   }
 
-  /// Bit i: predicted at sample.states[i].
-  std::vector<bool> predictions(const Set& mistakes, const Sample& sample) const {
-    std::vector<bool> hits;
-    for (const std::size_t i : sample.states) hits.push_back(predicts(mistakes, i));
-    return hits;
+  const std::vector<std::size_t>& failing() const { return failing_; }
+  const std::vector<std::size_t>& passing() const { return passing_; }
+
+  Solution predicted(const std::vector<Change>& changes, std::size_t i) const {
+    return solve(judgement_.quantities, judgement_.law, states_[i], changes);
+  }
+  /// True if a program with these mistakes would have answered so.
+  bool predicts(const std::vector<Change>& changes, std::size_t i) const { return gives(predicted(changes, i), i); }
+  enum class Match { miss, hit, blurred };
+  /// The same of a failing state: blurred where the right answer is as good a prediction.
+  Match match(const std::vector<Change>& changes, std::size_t i) const {
+    const Solution wrong = predicted(changes, i);
+    if (!gives(wrong, i)) return Match::miss;
+    for (std::size_t k = 0; k < columns_; ++k) {
+      const Real right = judgement_.references[i].expected[k];
+      if (!std::isfinite(wrong.answer[k])) return Match::hit;
+      if (static_cast<double>(std::abs(wrong.answer[k] - right)) > 2 * tolerance(wrong.answer[k], i, k))
+        return Match::hit;
+    }
+    return Match::blurred;
   }
 
  private:
-  static std::vector<std::size_t> range(std::size_t n) {
-    std::vector<std::size_t> list(n);
-    for (std::size_t k = 0; k < n; ++k) list[k] = k;
-    return list;
+  bool is_right(std::size_t i) const {
+    const Reference& r = judgement_.references[i];
+    for (std::size_t k = 0; k < columns_; ++k) {
+      const double error = static_cast<double>(std::abs(answers_.values[i][k] - r.expected[k]));
+      if (error > judgement_.precision.tolerance(r, k) + precision_ * r.size[k]) return false;
+    }
+    return true;
+  }
+
+  bool gives(const Solution& wrong, std::size_t i) const {
+    for (std::size_t k = 0; k < columns_; ++k) {
+      if (!near(wrong.answer[k], i, k)) return false;
+    }
+    return true;
   }
 
   bool near(Real predicted, std::size_t i, std::size_t k) const {
     const double given = answers_.values[i][k];
     if (std::isnan(given) || !std::isfinite(predicted)) return std::isnan(given) && !std::isfinite(predicted);
+    return static_cast<double>(std::abs(given - predicted)) <= tolerance(predicted, i, k);
+  }
+
+  /// How near an answer must be to a prediction.
+  double tolerance(Real predicted, std::size_t i, std::size_t k) const {
     const Reference& reference = judgement_.references[i];
     const Precision& precision = judgement_.precision;
     // A mistake moves the conditioning with the answer: the state's relative tolerance, doubled, and ten bits more.
@@ -78,162 +93,168 @@ class Matcher {
     const double relative = reference.size[k] > 0 ? 2 * rounding / reference.size[k] : 0;
     const double value = static_cast<double>(std::abs(predicted));
     const double vector_size = std::hypot(answers_.values[i][k < 2 ? 0 : 2], answers_.values[i][k < 2 ? 1 : 3]);
-    const double tolerance = rounding + (relative + 0x1p10 * precision.roundoff) * vector_size +
-                             1.01 * precision.text.relative * value + 1.01 * precision.text.absolute;
-    return static_cast<double>(std::abs(given - predicted)) <= tolerance;
+    return rounding + (relative + 0x1p10 * precision.roundoff + precision_) * vector_size +
+           1.01 * precision.text.relative * value + 1.01 * precision.text.absolute;
   }
 
   const Judgement& judgement_;
   const std::vector<State>& states_;
   const Answers& answers_;
+  double precision_;
   std::size_t columns_;
+  std::vector<std::size_t> failing_, passing_;
 };
 
 struct Candidate {
   Set mistakes;
   std::vector<bool> hits;
-  double share;
-  double contradicted;
-  double score() const { return share - contradicted; }
+  double share = 0;
+  double contradicted = 0;
 };
 
-Candidate candidate(const Matcher& matcher, const Set& mistakes, const Sample& sample) {
-  Candidate c{mistakes, matcher.predictions(mistakes, sample), 0, 0};
-  const auto failing = static_cast<double>(sample.failing);
-  for (std::size_t i = 0; i < c.hits.size(); ++i) {
-    if (i < sample.failing && c.hits[i]) c.share += 1 / failing;
-    if (i >= sample.failing && !c.hits[i]) c.contradicted += 1 / failing;
+/// The search at one precision.
+class Search {
+ public:
+  Search(const Judgement& judgement, const std::vector<State>& states, const Answers& answers, double precision)
+      : matcher_(judgement, states, answers, precision),
+        precision_(precision),
+        failing_(thinned(matcher_.failing(), 200)),
+        passing_(thinned(matcher_.passing(), 300)),
+        known_(mistakes_for(judgement.quantities, judgement.law)) {
+    for (const std::size_t i : thinned(failing_, 24)) few_.push_back(i);
+    for (const std::size_t i : thinned(passing_, 12)) few_.push_back(i);
   }
-  return c;
-}
 
-/// Best first; those with the same predictions become one suspicion.
-std::vector<Suspicion> grouped(std::vector<Candidate> candidates, std::size_t most) {
-  std::ranges::stable_sort(candidates, [](const Candidate& x, const Candidate& y) {
-    if (std::abs(x.score() - y.score()) > 1e-9) return x.score() > y.score();
-    return x.mistakes.size() < y.mistakes.size();
-  });
-  std::vector<Suspicion> suspicions;
-  std::vector<const Candidate*> heads;
-  for (const Candidate& c : candidates) {
-    const auto same = std::ranges::find_if(heads, [&](const Candidate* head) { return head->hits == c.hits; });
-    if (same != heads.end()) {
-      Suspicion& suspicion = suspicions[static_cast<std::size_t>(same - heads.begin())];
-      // A pair that does what one mistake does says nothing new.
-      if (c.mistakes.size() == suspicion.mistakes.size()) suspicion.others.push_back(c.mistakes);
-      continue;
-    }
-    if (suspicions.size() == most) break;
-    suspicions.push_back({c.mistakes, {}, c.share, c.contradicted});
-    heads.push_back(&c);
-  }
-  return suspicions;
-}
+  bool has_failing() const { return failing_.size() >= 2; }
 
-/// Suspicions at the judgement's precision.
-std::vector<Suspicion> suspects(const Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
-  const Matcher matcher(judgement, states, answers);
-  const Sample sample = sample_of(judgement, 400, 200);
-  const Set known = mistakes_for(judgement.quantities, judgement.law);
-  std::vector<Candidate> candidates;
-  for (const Mistake* mistake : known) {
-    Candidate c = candidate(matcher, {mistake}, sample);
-    if (c.share >= 0.02) candidates.push_back(std::move(c));
-  }
-  std::vector<Suspicion> alone = grouped(candidates, 5);
-  if (!alone.empty() && alone[0].explains_all()) return {alone[0]};
-
-  // Pairs must explain a third of what the best one leaves open. A few states first, half of them of those that it
-  // leaves open; all of the sample for the pairs that survive.
-  const double best = candidates.empty() ? 0 : alone[0].share - alone[0].contradicted;
-  const double to_beat = best + 0.33 * (1 - best);
-  Sample few = sample_of(judgement, 16, 8);
-  const Set head = alone.empty() ? Set{} : alone[0].mistakes;
-  std::vector<std::size_t> left_open;
-  for (const std::size_t state : sample.states) {
-    if (alone.empty() || !matcher.predicts(head, state)) left_open.push_back(state);
-  }
-  const auto some = thinned(left_open, 16);
-  few.states.insert(few.states.end(), some.begin(), some.end());
-  const auto allowed = static_cast<std::size_t>((1 - to_beat) * static_cast<double>(few.states.size())) + 4;
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    for (std::size_t j = i + 1; j < known.size(); ++j) {
-      const Set pair = {known[i], known[j]};
-      std::size_t misses = 0;
-      for (const std::size_t state : few.states) {
-        if (!matcher.predicts(pair, state) && ++misses > allowed) break;
+  std::vector<Suspicion> result(SearchDepth depth) {
+    for (const Mistake* mistake : known_) consider({mistake});
+    if (depth >= SearchDepth::pairs && !explained()) {
+      for (std::size_t i = 0; i < known_.size(); ++i) {
+        for (std::size_t j = i + 1; j < known_.size(); ++j) {
+          if (passes_few({known_[i], known_[j]})) consider({known_[i], known_[j]});
+        }
       }
-      if (misses > allowed) continue;
-      Candidate c = candidate(matcher, pair, sample);
-      if (c.score() >= to_beat) candidates.push_back(std::move(c));
+    }
+    if (depth >= SearchDepth::triples && !explained()) {
+      const Set some = distinct();
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        for (std::size_t j = i + 1; j < some.size(); ++j) {
+          for (std::size_t k = j + 1; k < some.size(); ++k) {
+            if (passes_few({some[i], some[j], some[k]})) consider({some[i], some[j], some[k]});
+          }
+        }
+      }
+    }
+    return grouped();
+  }
+
+ private:
+  bool explained() const {
+    return std::ranges::any_of(candidates_, [](const Candidate& c) { return c.share >= 0.98; });
+  }
+
+  /// Most failing states must fit, and every right one: an answer that is right refutes.
+  bool passes_few(const Set& set) const {
+    const std::vector<Change> changes = changes_of(set);
+    // One state of ten may be unlike the others.
+    const std::size_t tolerated = set.size() > 2 ? 0 : 2;
+    std::size_t misses = 0;
+    for (std::size_t n = 0; n < few_.size(); ++n) {
+      if (!matcher_.predicts(changes, few_[n]) && ++misses > (n < 4 ? tolerated : 2)) return false;
+    }
+    return true;
+  }
+
+  void consider(const Set& set) {
+    Candidate c{set, {}};
+    const std::vector<Change> changes = changes_of(set);
+    std::size_t hits = 0, misses = 0;
+    const std::size_t most_misses = failing_.size() / 2;
+    for (const std::size_t i : failing_) {
+      const Matcher::Match match = matcher_.match(changes, i);
+      c.hits.push_back(match != Matcher::Match::miss);
+      if (match == Matcher::Match::hit) ++hits;
+      if (match == Matcher::Match::miss && ++misses > most_misses) return;
+    }
+    if (hits == 0) return;  // without effect
+    std::size_t refuted = 0;
+    const std::size_t tolerated = failing_.size() / 200;
+    for (const std::size_t i : passing_) {
+      c.hits.push_back(matcher_.predicts(changes, i));
+      if (!c.hits.back() && ++refuted > tolerated) return;
+    }
+    c.share = static_cast<double>(hits) / static_cast<double>(hits + misses);
+    c.contradicted = static_cast<double>(refuted) / static_cast<double>(failing_.size());
+    candidates_.push_back(std::move(c));
+  }
+
+  /// One of each kind of mistake that gives the same answers to a few states; remembers the others of its kind.
+  Set distinct() {
+    std::map<std::vector<std::pair<Real, Real>>, const Mistake*> kinds;
+    Set list;
+    for (const Mistake* mistake : known_) {
+      std::vector<std::pair<Real, Real>> key;
+      for (const std::size_t i : few_) {
+        const Solution s = matcher_.predicted(mistake->changes, i);
+        const auto number = [](Real x) { return std::isnan(x) ? Real(-1e300L) : x; };
+        key.emplace_back(number(s.answer[0]), number(s.answer[1]));
+      }
+      const auto [place, is_new] = kinds.try_emplace(std::move(key), mistake);
+      if (is_new) list.push_back(mistake);
+      if (!is_new) alike_[place->second].push_back(mistake);
+    }
+    return list;
+  }
+
+  /// The same set with one mistake replaced by another of its kind.
+  void add_alike(Suspicion& suspicion) const {
+    for (std::size_t k = 0; k < suspicion.mistakes.size(); ++k) {
+      const auto found = alike_.find(suspicion.mistakes[k]);
+      if (found == alike_.end()) continue;
+      for (const Mistake* other : found->second) {
+        Set set = suspicion.mistakes;
+        set[k] = other;
+        suspicion.others.push_back(std::move(set));
+      }
     }
   }
-  std::vector<Suspicion> all = grouped(std::move(candidates), 5);
-  if (!all.empty() && all[0].explains_all()) all.erase(all.begin() + 1, all.end());
-  return all;
-}
 
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
-/// Facts about the failing states that point at a branch or a term.
-Pattern pattern_of(const Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
-  Pattern pattern;
-  const std::size_t columns = answer_columns(judgement.quantities).size();
-  const auto& names = answer_columns(judgement.quantities);
-  const auto failing_share = [&](const auto& selects) {
-    double failing = 0, passing = 0;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const Solution s = solve(judgement.quantities, judgement.law, states[i]);
-      const Comparison& c = judgement.comparisons[i];
-      if (c.left_out || (s.answer[0] == 0 && s.answer[1] == 0) || !selects(s)) continue;
-      (c.fails() ? failing : passing) += 1;
+  /// Best first, the smaller set of those that explain as much; those with the same predictions become one suspicion.
+  std::vector<Suspicion> grouped() {
+    std::ranges::stable_sort(candidates_, [](const Candidate& x, const Candidate& y) {
+      const double better = x.share - x.contradicted - y.share + y.contradicted;
+      // A mistake more must explain a twentieth more.
+      const double fewer = 0.05 * (static_cast<double>(y.mistakes.size()) - static_cast<double>(x.mistakes.size()));
+      if (std::abs(better + fewer) > 1e-9) return better + fewer > 0;
+      return x.mistakes.size() < y.mistakes.size();
+    });
+    std::vector<Suspicion> suspicions;
+    std::vector<const Candidate*> heads;
+    for (const Candidate& c : candidates_) {
+      const auto same = std::ranges::find_if(heads, [&](const Candidate* head) { return head->hits == c.hits; });
+      if (same != heads.end()) {
+        Suspicion& suspicion = suspicions[static_cast<std::size_t>(same - heads.begin())];
+        // A set that does what a smaller one does says nothing new.
+        if (c.mistakes.size() == suspicion.mistakes.size()) suspicion.others.push_back(c.mistakes);
+        continue;
+      }
+      if (suspicions.size() == 5) break;
+      suspicions.push_back({c.mistakes, {}, c.share, c.contradicted, precision_});
+      add_alike(suspicions.back());
+      heads.push_back(&c);
     }
-    return std::array<double, 2>{failing, passing};
-  };
-  const auto only = [&](const char* words, const auto& selects) {
-    const auto inside = failing_share(selects);
-    const auto outside = failing_share([&](const Solution& s) { return !selects(s); });
-    if (inside[0] > 0 && outside[0] == 0 && outside[1] > 0) pattern.facts.push_back(fmt::format("only {}", words));
-  };
-  only("where the film closes (squeeze rate b > 0)", [](const Solution& s) { return s.b > 0; });
-  only("where the film opens (squeeze rate b < 0)", [](const Solution& s) { return s.b < 0; });
-  only("where the slip rate a > 0", [](const Solution& s) { return s.a > 0; });
-  only("where the slip rate a < 0", [](const Solution& s) { return s.a < 0; });
-  only("where ex < 0", [](const Solution& s) { return s.e.x() < 0; });
-  if (judgement.quantities == Quantities::transition) {
-    only("beyond the clearance, |e| > c", [](const Solution& s) { return s.penetration > 0; });
+    if (!suspicions.empty() && suspicions[0].explains_all()) suspicions.resize(1);
+    return suspicions;
   }
-  // One factor for all failing states?
-  for (std::size_t k = 0; k < columns; ++k) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    bool wrong = false;
-    for (const std::size_t i : judgement.failing) {
-      const auto expected = static_cast<double>(judgement.references[i].expected[k]);
-      const double given = answers.values[i][k];
-      if (std::isnan(given)) continue;
-      if (std::abs(given - expected) > judgement.precision.tolerance(judgement.references[i], k)) wrong = true;
-      if (std::abs(expected) < 1e-3 * judgement.references[i].size[k] || expected == 0) continue;
-      low = std::min(low, given / expected);
-      high = std::max(high, given / expected);
-    }
-    if (!wrong) {
-      pattern.facts.push_back(fmt::format("{} is right everywhere", names[k]));
-    } else if (high - low <= 1e-6 * std::abs(high)) {
-      pattern.facts.push_back(fmt::format("{} is {:.8g} times what it should be", names[k], high));
-    }
-  }
-  pattern.facts.push_back(
-      percent(static_cast<double>(judgement.failing.size()) / static_cast<double>(judgement.judged())) +
-      " of the states fail");
-  return pattern;
-}
 
-/// Zeros are within single precision's rounding of every answer that is a million times too small.
-bool mostly_zero(const Answers& answers) {
-  const auto zeros = std::ranges::count_if(answers.values, [](const Answer& a) { return a[0] == 0 && a[1] == 0; });
-  return 2 * static_cast<std::size_t>(zeros) > answers.values.size();
-}
+  Matcher matcher_;
+  double precision_;
+  std::vector<std::size_t> failing_, passing_, few_;
+  Set known_;
+  std::map<const Mistake*, Set> alike_;
+  std::vector<Candidate> candidates_;
+};
 
 }  // namespace
 
@@ -243,23 +264,19 @@ bool Suspicion::names(const std::vector<const Mistake*>& wanted) const {
   return same(mistakes) || std::ranges::any_of(others, same);
 }
 
-Diagnosis diagnose(Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
-  Diagnosis diagnosis{suspects(judgement, states, answers), {}};
-  const bool explained = !diagnosis.suspicions.empty() && diagnosis.suspicions[0].share > 0.5;
-  if (!explained && judgement.precision.roundoff < single_roundoff && !mostly_zero(answers)) {
-    // A program that is wrong, and works in single precision on top of it.
-    Judgement in_single = judgement;
-    judge_at(in_single, answers, {single_roundoff, answers.text});
-    if (!in_single.failing.empty()) {
-      auto found = suspects(in_single, states, answers);
-      if (!found.empty() && found[0].share > 0.5) {
-        judgement = std::move(in_single);
-        diagnosis.suspicions = std::move(found);
-      }
-    }
+std::vector<Suspicion> suspicions_of(const Judgement& judgement, const std::vector<State>& states,
+                                     const Answers& answers, const std::vector<double>& precisions, SearchDepth depth) {
+  std::vector<Suspicion> best;
+  for (const double precision : precisions) {
+    Search search(judgement, states, answers, precision);
+    if (!search.has_failing()) break;
+    const bool first = precision == precisions.front();
+    std::vector<Suspicion> found = search.result(first ? depth : std::min(depth, SearchDepth::pairs));
+    if (found.empty()) continue;
+    if (best.empty() || found[0].share > best[0].share + 0.2) best = std::move(found);
+    if (best[0].share >= 0.9) break;
   }
-  diagnosis.pattern = pattern_of(judgement, states, answers);
-  return diagnosis;
+  return best;
 }
 
 }  // namespace lubjoint::verify

@@ -60,12 +60,16 @@ const Mistake& mistake_of(std::string_view name) {
   throw std::invalid_argument("there is no mistake \"" + std::string(name) + "\" in the gallery; allowed are " + list);
 }
 
-Solution solve_with(Quantities quantities, Law law, const State& state, const std::vector<const Mistake*>& mistakes) {
+std::vector<Change> changes_of(const std::vector<const Mistake*>& mistakes) {
   std::vector<Change> changes;
   for (const Mistake* mistake : mistakes) {
     changes.insert(changes.end(), mistake->changes.begin(), mistake->changes.end());
   }
-  return solve(quantities, law, state, changes);
+  return changes;
+}
+
+Solution solve_with(Quantities quantities, Law law, const State& state, const std::vector<const Mistake*>& mistakes) {
+  return solve(quantities, law, state, changes_of(mistakes));
 }
 
 std::string described_gallery() {

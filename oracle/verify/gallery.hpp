@@ -27,6 +27,9 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law);
 /// The mistake of that name. @throws std::invalid_argument that lists what there is
 const Mistake& mistake_of(std::string_view name);
 
+/// What all these mistakes change, in their order.
+std::vector<Change> changes_of(const std::vector<const Mistake*>& mistakes);
+
 /// The answer of a program that makes all these mistakes; those of one step in the gallery's order.
 Solution solve_with(Quantities quantities, Law law, const State& state, const std::vector<const Mistake*>& mistakes);
 

@@ -9,6 +9,7 @@ namespace lubjoint::verify {
 namespace {
 
 bool in_transition(Quantities q, Law) { return q == Quantities::transition; }
+bool in_film_forces(Quantities q, Law) { return q == Quantities::cartesian || q == Quantities::wrench; }
 bool in_wrench(Quantities q, Law) { return q == Quantities::wrench; }
 
 void set_normal(Solution& s, Real power, Real loss) {
@@ -37,11 +38,6 @@ std::vector<Mistake> assembly_mistakes() {
        "The radial force has the wrong sign: squeeze drives instead of damps",
        in_all,
        {{Step::film, [](S& s) { s.radial = -s.radial; }}}},
-      {"film_from_minimum_thickness",
-       "θ is counted from the minimum film: both force components point the other way",
-       "The film's force has the wrong sign",
-       in_all,
-       {{Step::film, [](S& s) { s.radial = -s.radial, s.tangential = -s.tangential; }}}},
       {"force_on_bearing",
        "The force on the bearing is given, not the one on the journal",
        "Every force has the wrong sign",
@@ -54,6 +50,35 @@ std::vector<Mistake> assembly_mistakes() {
          [](S& s) {
            if (s.quantities != Quantities::polar) s.force = -s.force;
          }}}},
+      {"film_from_minimum_thickness",
+       "θ is counted from the minimum film: both force components point the other way",
+       "The film's force has the wrong sign",
+       in_all,
+       {{Step::film, [](S& s) { s.radial = -s.radial, s.tangential = -s.tangential; }}}},
+      {"turning_without_quadrant",
+       "(F_r, F_t) are turned into x and y by arctan(e_y/e_x), not by atan2(e_y, e_x); the rates are right",
+       "The force has the wrong sign for e_x < 0",
+       in_film_forces,
+       {{Step::film,
+         [](S& s) {
+           if (!(s.e.x() < 0)) return;
+           s.r = -s.r;
+           s.t = -s.t;
+         }}}},
+      {"turned_backwards",
+       "(F_r, F_t) are turned into x and y by −γ",
+       "Right where e lies on the x axis",
+       in_film_forces,
+       {{Step::film,
+         [](S& s) {
+           s.r.y() = -s.r.y();
+           s.t.x() = -s.t.x();
+         }}}},
+      {"y_downwards",
+       "y of the force is counted downwards",
+       "F_y has the wrong sign",
+       in_plane,
+       {{Step::answer, [](S& s) { s.answer[1] = -s.answer[1]; }}}},
       {"tangential_left_out",
        "Only the radial force is applied",
        "Pure wedge of a full film gives no force",

@@ -93,6 +93,70 @@ std::vector<Mistake> motion_mistakes() {
        "As if the line of centres did not turn",
        in_plane,
        {{Step::kinematics, [](S& s) { s.attitude_part *= s.film_clearance; }}}},
+      {"squeeze_left_out",
+       "There is no squeeze: b = 0",
+       "Right where the film's thickness does not change; undamped elsewhere",
+       in_all,
+       {{Step::rates, [](S& s) { s.b = 0; }}}},
+      {"steady_only",
+       "The formulas of a steadily loaded bearing: a = ε(ω_J − ω_B), no whirl, no squeeze",
+       "Right in steady rotation while the bearing is at rest, and nowhere else",
+       in_all,
+       {{Step::kinematics,
+         [](S& s) {
+           if (!is_polar(s.quantities)) s.spin_part = s.ratio * (s.omega_journal - s.omega_bearing);
+           s.attitude_part = 0;
+         }},
+        {Step::rates, [](S& s) { s.b = 0; }}}},
+      {"steady_only_journal_spin",
+       "The formulas of a steadily loaded bearing with the journal's spin alone: a = εω_J, no whirl, no squeeze",
+       "Right in steady rotation while the bearing is at rest, and nowhere else",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.spin_part = s.ratio * s.omega_journal, s.attitude_part = 0; }},
+        {Step::rates, [](S& s) { s.b = 0; }}}},
+      {"squeeze_rate_doubled",
+       "The squeeze term has 4b where 2b is right",
+       "The squeeze's force is doubled; pure wedge is right",
+       in_all,
+       {{Step::rates, [](S& s) { s.b *= 2; }}}},
+      {"spin_sum_absolute",
+       "|ω_J + ω_B| instead of ω_J + ω_B",
+       "Right while the spins add up to a positive number; the wedge is on the wrong side elsewhere",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.spin_part = std::abs(s.spin_part); }}}},
+      {"spin_sum_halved",
+       "The mean of the spins is used for their sum: a = ε(ω_J + ω_B)/2 − 2v·t/c",
+       "The wedge of the spin is halved; squeeze and whirl are right",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.spin_part /= 2; }}}},
+      {"velocities_times_spin",
+       "Velocities that a form without dimensions wants over cω are given over c: they count ω_J + ω_B times too much",
+       "Right in steady rotation; squeeze and whirl are multiplied by the spin, and absent without one",
+       in_plane,
+       {{Step::kinematics, [](S& s) { s.attitude_part *= s.omega_bearing + s.omega_journal; }},
+        {Step::rates, [](S& s) { s.b *= s.omega_bearing + s.omega_journal; }}}},
+      {"ratio_clamped_at_0.99",
+       "ε is not let beyond 0.99",
+       "Right up to ε = 0.99, too small beyond",
+       [](Quantities q, Law) { return q != Quantities::transition; },
+       {{Step::kinematics,
+         [](S& s) {
+           if (!(s.ratio_gap < 0.01L)) return;
+           s.spin_part *= 0.99L / s.ratio;
+           s.ratio = 0.99L;
+           s.ratio_gap = 0.01L;
+         }}}},
+      {"ratio_clamped_at_0.999",
+       "ε is not let beyond 0.999",
+       "Right up to ε = 0.999, too small beyond",
+       [](Quantities q, Law) { return q != Quantities::transition; },
+       {{Step::kinematics,
+         [](S& s) {
+           if (!(s.ratio_gap < 0.001L)) return;
+           s.spin_part *= 0.999L / s.ratio;
+           s.ratio = 0.999L;
+           s.ratio_gap = 0.001L;
+         }}}},
       {"separating_squeeze_left_out",
        "The squeeze is left out where the film opens: b = max(ε̇, 0)",
        "Wrong for b < 0, right for b ≥ 0",

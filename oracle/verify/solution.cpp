@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lubjoint/film/law_list.hpp"
+#include "oracle/verify/dynamic_film.hpp"
 
 namespace lubjoint::verify {
 
@@ -66,9 +67,9 @@ void find_terms(Solution& s) {
     return;
   }
   if (is_dynamic(s.law)) {  // not a sum of a wedge and a squeeze: the film's ends depend on both
-    const PolarFilmState<Real> state(s.ratio, s.a, s.b, q);
-    const PolarForce<Real> f =
-        s.law == Law::short_dynamic ? polar_force_ratio<ShortDynamic>(state) : polar_force_ratio<LongDynamic>(state);
+    const DynamicFilm film{s.ratio, s.ratio_gap, s.a, s.b};
+    const DynamicForce f =
+        s.law == Law::short_dynamic ? short_dynamic_by_quadrature(film) : long_dynamic_by_quadrature(film);
     s.radial_wedge = f.radial;
     s.tangential_wedge = f.tangential;
     return;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/verify/quantity.hpp"
+#include "oracle/verify/condition.hpp"
 
 namespace lubjoint::verify {
 
@@ -18,15 +18,19 @@ inline constexpr std::array<std::string_view, 6> regime_names = {"contact",    "
 
 Regime regime_of(Quantities quantities, const State& state);
 
-/// Designed states: every combination of ε from the centre to 0.9999, signs and zeros of a and b, the seams of the
-/// transition, rest. All numbers are exact in single precision, so that a program in single precision gets the same
-/// states. Where a film jumps (a = 0 with the half films), a is zero in any order of operations, or far from zero.
+/// Designed states: every combination of ε from the centre to 0.9999, signs and zeros of a and b; steady rotation,
+/// whirl and squeeze each alone, of both signs, in a bearing that rests and one that turns; for forces, films down to
+/// 1 − ε = 3e-10; the seams of the transition; rest. All numbers are exact in single precision, but for films thinner
+/// than 5e-5, so that a program in single precision gets the same states. Where a film jumps (a = 0 with the half
+/// films), a is zero in any order of operations or far from zero, or the state is left out (Precision::decides).
 std::vector<State> designed_states(Quantities quantities);
 
 /// The golden states, the designed ones, and as many seeded random ones; the same on every machine.
 /// @param golden  folder of the golden data
-/// @throws std::invalid_argument if the golden data can't be read
+/// @param domain  conditions that all states fulfil; random states are drawn until there are enough, or for one that
+///                they hardly ever fulfil (a number that is zero) until twenty times as many were tried
+/// @throws std::invalid_argument if the golden data can't be read, or no state is left
 std::vector<State> states_to_verify(Quantities quantities, const std::filesystem::path& golden, std::size_t random,
-                                    std::uint64_t seed);
+                                    std::uint64_t seed, const Conjunction& domain = {});
 
 }  // namespace lubjoint::verify

@@ -4,7 +4,9 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
+#include "oracle/reports/journal_checks.hpp"
 #include "oracle/reports/page/page.hpp"
+#include "oracle/reports/slider_crank_checks.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lubjoint::test {
@@ -20,11 +22,35 @@ inline reports::Example1 quick_example_1() {
     item.paper = law.ends_with("full") ? "circles" : "rests";
     item.run = simulate_journal(item.scene);
     item.rest = journal_equilibrium(item.scene);
-    item.rests = item.rest.stability() == Stability::decays;
+    item.found = law.ends_with("full") ? reports::Behaviour::circles : reports::Behaviour::rests;
+    const std::complex<double> leading = item.rest.eigenvalues[0];
+    item.near_rest = reports::MotionRate{leading.real(), leading.imag(), leading.real(), leading.real(), 4};
+    // A run against itself: the page shows verdicts, it does not make them.
+    item.verdict.checks = reports::compare_runs(item.scene, item.run, item.run, "itself");
+    item.verdict.checks.push_back(reports::sampled_force_check(item.scene, item.run));
+    item.verdict.checks.push_back(reports::equilibrium_check(item.scene, item.rest));
+    for (const auto& check : reports::rate_checks(item.near_rest, leading)) item.verdict.checks.push_back(check);
+    item.verdict.checks.push_back(reports::behaviour_check(item.found, leading, 3));
+    item.verdict.checks.push_back(reports::paper_check(item.found, item.paper));
     example.load = item.rest.force.norm();
     example.laws.push_back(std::move(item));
   }
   return example;
+}
+
+/// What a run would be held against if it were right.
+inline reports::ReferenceRun reference_of(const reports::Example2Case& item) {
+  reports::ReferenceRun reference;
+  const double c = item.scene.joints[0].clearance;
+  for (const MultibodySample& sample : item.run.samples) {
+    reference.samples.push_back({sample.joints[0].eccentricity / c, sample.joints[0].force, sample.driving_moments[0]});
+  }
+  const Peak& eccentricity = item.run.joints[0].eccentricity;
+  reference.peaks = {{eccentricity.value / c, eccentricity.t},
+                     item.run.joints[0].force,
+                     item.run.drivers[0].max_moment,
+                     item.run.drivers[0].min_moment};
+  return reference;
 }
 
 inline reports::Example2 quick_example_2() {
@@ -33,6 +59,10 @@ inline reports::Example2 quick_example_2() {
   example.ideal = simulate_multibody(load_scene(scenes + "slider-crank-ideal.toml"));
   example.ideal_force = 2718.71;
   example.ideal_moment = 138.52;
+  const auto ideal = [](const char* what) {
+    return reports::Check::at_most(what, "closed form", 1e-10, 1e-9, "of its peak", "a test's reason");
+  };
+  example.ideal_verdict.checks = {ideal("gudgeon pin's force"), ideal("driving moment")};
   for (const char* name : {"slider-crank", "slider-crank-c0.5-mu0.4", "slider-crank-c0.1-mu0.4",
                            "slider-crank-c0.5-mu0.04", "slider-crank-c0.2-mu0.04"}) {
     reports::Example2Case item;
@@ -41,6 +71,8 @@ inline reports::Example2 quick_example_2() {
     item.scene.run.output_interval = 1e-4;
     item.run = simulate_multibody(item.scene);
     item.orbit.multipliers = {0.1, 0.01, 0, 0};
+    item.verdict.checks = reports::compare_with_minimal_coordinates(item.scene, item.run, reference_of(item));
+    item.verdict.checks.push_back(reports::energy_check(item.run, 1e-6));
     example.cases.push_back(std::move(item));
   }
   return example;

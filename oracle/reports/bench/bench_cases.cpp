@@ -9,7 +9,9 @@
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/reports/bench/extended_run.hpp"
+#include "oracle/reports/bench/golden_reference.hpp"
 #include "oracle/reports/bench/race.hpp"
+#include "oracle/reports/bench/simbody_case.hpp"
 #include "oracle/reports/slider_crank_scene.hpp"
 
 namespace lubjoint::reports {
@@ -42,7 +44,7 @@ class JournalProblem final : public RaceProblem<4> {
   bool is_admissible(double, const State& y) override {
     return std::isfinite(y[2]) && std::isfinite(y[3]) && one_minus_squared_norm(y[0], y[1]) > 0;
   }
-  Vector2<double> looked_at(double, const State& y) override { return {y[0], y[1]}; }
+  void look(double, const State& y, Reference& seen) override { seen.emplace_back(y[0], y[1]); }
   std::size_t positions() const override { return 2; }
   std::size_t evaluations() const override { return evaluations_; }
 
@@ -87,7 +89,9 @@ class MinimalProblem final : public RaceProblem<4> {
     const Vector2<double> e = mechanism_.eccentricity(t, y[0], y[1]);
     return one_minus_squared_norm(e.x(), e.y()) > 0;
   }
-  Vector2<double> looked_at(double t, const State& y) override { return mechanism_.eccentricity(t, y[0], y[1]); }
+  void look(double t, const State& y, Reference& seen) override {
+    seen.push_back(mechanism_.eccentricity(t, y[0], y[1]));
+  }
   std::size_t positions() const override { return 2; }
   std::size_t evaluations() const override { return evaluations_; }
 
@@ -108,12 +112,24 @@ class MinimalProblem final : public RaceProblem<4> {
   std::size_t evaluations_ = 0;
 };
 
+/// Mass centres over the mechanism's size, and angles.
+void look_at_bodies(const std::vector<double>& y, double size, Reference& seen) {
+  for (std::size_t i = 0; i < y.size() / 2; i += 3) {
+    seen.emplace_back(y[i] / size, y[i + 1] / size);
+    seen.emplace_back(y[i + 2], 0.0);
+  }
+}
+
 class AbsoluteProblem final : public RaceProblem<run_time_size> {
  public:
   explicit AbsoluteProblem(const Scene& scene)
-      : scene_(scene), system_(planar_system<double>(scene)), ode_(system_, false), start_(scene_start<double>(scene)) {
+      : scene_(scene),
+        size_(scene_units(scene).mechanism),
+        system_(planar_system<double>(scene)),
+        ode_(system_, false),
+        start_(scene_start<double>(scene)) {
     scene_.energy_ledger = false;
-    assemble_start(system_, 0.0, scene_units(scene).mechanism, start_);
+    assemble_start(system_, 0.0, size_, start_);
   }
 
   void rate(const State& y, State& dydt, const double& t) override { ode_.rate(y, dydt, t); }
@@ -135,8 +151,9 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
     }
     return true;
   }
-  Vector2<double> looked_at(double, const State& y) override {
-    return system_.joints().empty() ? looked_at_without_joints(scene_, y) : eccentricity_of(system_.joints()[0], y);
+  void look(double, const State& y, Reference& seen) override {
+    for (const JointElement<double>& joint : system_.joints()) seen.push_back(eccentricity_of(joint, y));
+    if (system_.joints().empty()) look_at_bodies(y, size_, seen);
   }
   std::size_t positions() const override { return system_.coordinates(); }
   std::size_t evaluations() const override { return ode_.evaluations(); }
@@ -155,16 +172,30 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
   }
 
   Scene scene_;
+  double size_;  ///< of the mechanism [m]
   PlanarSystem<double> system_;
   MultibodyOde<double> ode_;
   State start_;
 };
 
+/// What errors are measured in at every sample after the start.
+Reference seen_along(const Scene& scene, const std::vector<MultibodySample>& samples) {
+  Reference seen;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    for (std::size_t j = 0; j < samples[i].joints.size(); ++j) {
+      seen.emplace_back(samples[i].joints[j].eccentricity / scene.joints[j].clearance);
+    }
+    if (samples[i].joints.empty()) look_at_bodies(samples[i].state, scene_units(scene).mechanism, seen);
+  }
+  return seen;
+}
+
 /// Run as `simulate` does it, with events and records: for scenes with contact.
 class SimulatedCase final : public BenchCase {
  public:
-  SimulatedCase(const Scene& scene, Reference reference) : scene_(scene), reference_(std::move(reference)) {
-    scene_.run.output_interval = bench_times(scene).front();
+  SimulatedCase(const Scene& scene, double output_interval, Reference reference)
+      : scene_(scene), reference_(std::move(reference)) {
+    scene_.run.output_interval = output_interval;
   }
   std::string formulation() const override { return "absolute"; }
   std::vector<std::string> methods() const override { return {method_names.begin(), method_names.end()}; }
@@ -173,32 +204,21 @@ class SimulatedCase final : public BenchCase {
     scene.integrator = method;
     scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
     scene.run.max_steps = 1'000'000;
-    MethodRun result;
-    std::vector<double> seconds;
-    double total = 0;
-    for (int i = 0; i < limits.repeats; ++i) {
+    return measured_run(limits, reference_, [&](Reference* seen) {
+      const double begin = mechanisms::processor_seconds();
       const MultibodyTrajectory run = simulate_multibody(scene);
-      if (i == 0) {
-        result.finished = run.outcome.status == RunStatus::finished;
-        result.message = run.outcome.message;
-        result.steps = run.outcome.steps;
-        result.rejected = run.outcome.rejected_steps;
-        result.rhs_evaluations = run.outcome.rhs_evaluations;
-        result.jacobian_evaluations = run.outcome.jacobian_evaluations;
-        result.factorisations = run.outcome.factorisations;
-        for (std::size_t k = 1; result.finished && k < run.samples.size() && k <= reference_.size(); ++k) {
-          const Vector2<double> e = run.samples[k].joints[0].eccentricity / scene.joints[0].clearance;
-          result.error = std::max(result.error, (e - reference_[k - 1]).norm());
-        }
-        if (!result.finished) return result;
-      }
-      seconds.push_back(run.wall_seconds);
-      total += run.wall_seconds;
-      if (i >= 2 && total > limits.seconds) break;
-    }
-    std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-    result.seconds = seconds[seconds.size() / 2];
-    return result;
+      MethodRun result;
+      result.seconds = mechanisms::processor_seconds() - begin;
+      result.finished = run.outcome.status == RunStatus::finished;
+      result.message = run.outcome.message;
+      result.steps = run.outcome.steps;
+      result.rejected = run.outcome.rejected_steps;
+      result.rhs_evaluations = run.outcome.rhs_evaluations;
+      result.jacobian_evaluations = run.outcome.jacobian_evaluations;
+      result.factorisations = run.outcome.factorisations;
+      if (seen) *seen = seen_along(scene, run.samples);
+      return result;
+    });
   }
 
  private:
@@ -238,41 +258,74 @@ std::vector<double> bench_times(const Scene& scene) {
   return times;
 }
 
-BenchScene bench_scene(const Scene& scene) {
-  BenchScene result;
-  result.name = scene.name;
+namespace {
+
+struct MadeReference {
+  std::vector<double> times;
+  Reference seen;
+  double agreement;
+  bool golden;
+};
+
+/// Of a scene that does not ship: two integrators of different families.
+MadeReference extended_reference(const Scene& scene) {
   const std::vector<double> times = bench_times(scene);
   if (is_free_journal(scene)) {
     const Reference one = extended_journal_run(scene, times, ExtendedMethod::radau);
     const Reference other = extended_journal_run(scene, times, ExtendedMethod::fehlberg);
-    result.reference_agreement = worst_difference(one, other);
-    result.cases.push_back(journal_case(scene, times, other));
-    return result;
+    return {times, other, worst_difference(one, other), false};
   }
   const auto extended = [&](ExtendedMethod method) {
     return extended_multibody_run(scene, times.front(), method, extended_tolerance(method));
   };
   const ExtendedRun run = extended(ExtendedMethod::radau);
-  const Reference absolute = looked_at(scene, run.samples);
-  Reference other;
-  if (has_minimal_coordinates(scene)) {
-    std::vector<double> from_start{0};
-    from_start.insert(from_start.end(), times.begin(), times.end());
-    for (const ReferenceSample& sample : minimal_coordinates_run(scene, from_start, 1e-16, run.start)) {
-      other.push_back(sample.eccentricity_ratio);
-    }
-    other.erase(other.begin());
-    result.cases.push_back(std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene),
-                                                         scene.run.duration, times, other));
-  } else {
-    other = looked_at(scene, extended(ExtendedMethod::fehlberg).samples);
+  const Reference one = seen_along(scene, run.samples);
+  if (!has_minimal_coordinates(scene)) {
+    const Reference other = seen_along(scene, extended(ExtendedMethod::fehlberg).samples);
+    return {times, other, worst_difference(one, other), false};
   }
-  result.reference_agreement = worst_difference(absolute, other);
+  std::vector<double> from_start{0};
+  from_start.insert(from_start.end(), times.begin(), times.end());
+  Reference other;
+  for (const ReferenceSample& sample : minimal_coordinates_run(scene, from_start, 1e-16, run.start)) {
+    other.push_back(sample.eccentricity_ratio);
+  }
+  other.erase(other.begin());
+  return {times, other, worst_difference(one, other), false};
+}
+
+MadeReference reference_of(const Scene& scene) {
+  if (auto golden = golden_reference(scene)) {
+    return {std::move(golden->times), std::move(golden->seen), golden->disagreement, true};
+  }
+  return extended_reference(scene);
+}
+
+}  // namespace
+
+BenchScene bench_scene(const Scene& scene) {
+  const MadeReference reference = reference_of(scene);
+  BenchScene result;
+  result.name = scene.name;
+  result.golden = reference.golden;
+  result.reference_agreement = reference.agreement;
+  if (is_free_journal(scene)) {
+    result.cases.push_back(journal_case(scene, reference.times, reference.seen));
+    return result;
+  }
   if (has_contact(scene)) {
-    result.cases.push_back(std::make_unique<SimulatedCase>(scene, absolute));
-  } else {
-    result.cases.push_back(std::make_unique<RaceCase<run_time_size>>(
-        "absolute", std::make_unique<AbsoluteProblem>(scene), scene.run.duration, times, other));
+    result.cases.push_back(std::make_unique<SimulatedCase>(scene, reference.times.front(), reference.seen));
+    return result;
+  }
+  const double duration = scene.run.duration;
+  if (has_minimal_coordinates(scene)) {
+    result.cases.push_back(std::make_unique<RaceCase<4>>("minimal", std::make_unique<MinimalProblem>(scene), duration,
+                                                         reference.times, reference.seen));
+  }
+  result.cases.push_back(std::make_unique<RaceCase<run_time_size>>("absolute", std::make_unique<AbsoluteProblem>(scene),
+                                                                   duration, reference.times, reference.seen));
+  if (has_minimal_coordinates(scene)) {
+    if (auto simbody = simbody_case(scene, reference.times, reference.seen)) result.cases.push_back(std::move(simbody));
   }
   return result;
 }

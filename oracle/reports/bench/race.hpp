@@ -2,13 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/dynamics/step_interpolant.hpp"
+#include "oracle/mechanisms/processor_time.hpp"
 #include "oracle/reports/bench/bench_case.hpp"
 #include "oracle/reports/bench/sundials_method.hpp"
 
@@ -22,9 +22,9 @@ class RaceProblem : public OdeSystem<double, N> {
 
   virtual State start() const = 0;
   virtual StepTolerance<double, N> tolerance(double relative) const = 0;
-  virtual bool is_admissible(double t, const State& y) = 0;         ///< a film exists, every number is one
-  virtual Vector2<double> looked_at(double t, const State& y) = 0;  ///< in clearances
-  virtual std::size_t positions() const = 0;                        ///< of the states, the first ones
+  virtual bool is_admissible(double t, const State& y) = 0;          ///< a film exists, every number is one
+  virtual void look(double t, const State& y, Reference& seen) = 0;  ///< adds what errors are measured in
+  virtual std::size_t positions() const = 0;                         ///< of the states, the first ones
   virtual std::size_t evaluations() const = 0;
 };
 
@@ -45,71 +45,72 @@ class RaceCase final : public BenchCase {
 
   std::string formulation() const override { return formulation_; }
 
-  std::vector<std::string> methods() const override { return raced_methods(); }
+  std::vector<std::string> methods() const override {
+    std::vector<std::string> names(method_names.begin(), method_names.end());
+    for (const std::string_view name : sundials_methods()) names.emplace_back(name);
+    return names;
+  }
 
   MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) override {
-    // Once with a look inside the steps, for the error; then for the time alone.
-    std::vector<Vector2<double>> seen;
-    MethodRun result = once(method, tolerance, limits, &seen);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      result.error = std::max(result.error, (seen[i] - reference_[i]).norm());
-    }
-    if (!result.finished) return result;
-    std::vector<double> seconds;
-    const auto begin = Clock::now();
-    for (int i = 0; i < limits.repeats; ++i) {
-      MethodRun timed = once(method, tolerance, limits, nullptr);
-      if (!timed.finished) return timed;  // at the edge of its share of time: no time of it is known
-      seconds.push_back(timed.seconds);
-      result.rhs_evaluations = timed.rhs_evaluations;
-      if (i >= 2 && std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds) break;
-    }
-    std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-    result.seconds = seconds[seconds.size() / 2];
-    return result;
+    return measured_run(limits, reference_, [&](Reference* seen) { return once(method, tolerance, limits, seen); });
   }
 
- private:
-  using Clock = std::chrono::steady_clock;
-
-  MethodRun once(const std::string& method, double tolerance, const BenchLimits& limits,
-                 std::vector<Vector2<double>>* seen) {
-    const std::size_t evaluations = problem_->evaluations();
-    MethodRun result = is_sundials_method(method)
-                           ? run_sundials_method(method, problem_->tolerance(tolerance), limits, seen)
-                           : march(method, tolerance, limits, seen);
-    result.rhs_evaluations = problem_->evaluations() - evaluations;
-    return result;
-  }
-
-  MethodRun run_sundials_method(const std::string& method, const StepTolerance<double, N>& tolerance,
-                                const BenchLimits& limits, std::vector<Vector2<double>>* seen) {
+  std::optional<PlainProblem> plain_problem(double tolerance) override {
+    const StepTolerance<double, N> allowed = problem_->tolerance(tolerance);
     State y = problem_->start();
-    State dydt = y;
     const std::size_t n = y.size();
-    SundialsProblem problem;
-    problem.start.assign(y.begin(), y.end());
-    problem.absolute_tolerance.assign(tolerance.absolute.begin(), tolerance.absolute.end());
-    problem.relative_tolerance = tolerance.relative;
-    problem.duration = duration_;
-    problem.rate = [&](double t, const double* at, double* out) {
+    PlainProblem plain;
+    plain.start.assign(y.begin(), y.end());
+    plain.absolute_tolerance.assign(allowed.absolute.begin(), allowed.absolute.end());
+    plain.relative_tolerance = allowed.relative;
+    plain.duration = duration_;
+    plain.second_order = 2 * problem_->positions() == n;
+    plain.rate = [this, n, y, dydt = y](double t, const double* at, double* out) mutable {
       std::copy(at, at + n, y.begin());
       problem_->rate(y, dydt, t);
       std::copy(dydt.begin(), dydt.end(), out);
     };
-    if (seen) {
-      problem.times = times_;
-      problem.observe = [&](double t, const double* at) {
-        std::copy(at, at + n, y.begin());
-        seen->push_back(problem_->looked_at(t, y));
-      };
-    }
-    return solve_with_sundials(method, problem, limits);
+    plain.jacobian = [this, n, y, j = empty_jacobian(n)](double t, const double* at, double* out) mutable {
+      std::copy(at, at + n, y.begin());
+      problem_->jacobian(y, j, t);
+      std::copy(j.data(), j.data() + n * n, out);  // column by column, as Eigen has it
+    };
+    return plain;
   }
 
-  MethodRun march(const std::string& method, double tolerance, const BenchLimits& limits,
-                  std::vector<Vector2<double>>* seen) {
+ private:
+  static JacobianOf<double, N> empty_jacobian(std::size_t n) {
+    JacobianOf<double, N> j;
+    if constexpr (N == run_time_size) j.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    j.setZero();
+    return j;
+  }
+
+  MethodRun once(const std::string& method, double tolerance, const BenchLimits& limits, Reference* seen) {
+    const std::size_t evaluations = problem_->evaluations();
+    MethodRun result = is_sundials_method(method) ? run_sundials_method(method, tolerance, limits, seen)
+                                                  : march(method, tolerance, limits, seen);
+    result.rhs_evaluations = problem_->evaluations() - evaluations;
+    return result;
+  }
+
+  MethodRun run_sundials_method(const std::string& method, double tolerance, const BenchLimits& limits,
+                                Reference* seen) {
+    PlainProblem plain = *plain_problem(tolerance);
+    State y = problem_->start();
+    if (seen) {
+      plain.times = times_;
+      plain.observe = [&](double t, const double* at) {
+        std::copy(at, at + y.size(), y.begin());
+        problem_->look(t, y, *seen);
+      };
+    }
+    return solve_with_sundials(method, plain, limits);
+  }
+
+  MethodRun march(const std::string& method, double tolerance, const BenchLimits& limits, Reference* seen) {
     MethodRun result;
+    std::size_t next = 0;  // of the times
     State y = problem_->start();
     double t = 0;
     double dt = 1e-6 * duration_;
@@ -120,8 +121,8 @@ class RaceCase final : public BenchCase {
       problem_->rate(y, step.rate_new, t);
     }
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
-    const auto begin = Clock::now();
-    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    const double begin = mechanisms::processor_seconds();
+    const auto elapsed = [&] { return mechanisms::processor_seconds() - begin; };
     const auto integrator = make_integrator<N>(method, problem_->tolerance(tolerance));
     State y_old = y;
     while (duration_ - t > shortest * duration_) {
@@ -143,10 +144,10 @@ class RaceCase final : public BenchCase {
         }
       } else {
         ++result.steps;
-        if (seen) look(*integrator, step, t_old, t, y_old, y, inside, *seen);
+        if (seen) look(*integrator, step, t_old, t, y_old, y, inside, next, *seen);
       }
       if ((result.steps + result.rejected) % 256 == 0 && elapsed() > limits.seconds) {
-        result.message = "given up after its share of time";
+        result.message = out_of_time;
         return result;
       }
     }
@@ -158,7 +159,7 @@ class RaceCase final : public BenchCase {
   }
 
   void look(const Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t,
-            const State& y_old, const State& y, State& inside, std::vector<Vector2<double>>& seen) {
+            const State& y_old, const State& y, State& inside, std::size_t& next, Reference& seen) {
     step.t_old = t_old;
     step.t_new = t;
     step.y_old = y_old;
@@ -167,10 +168,9 @@ class RaceCase final : public BenchCase {
     problem_->rate(y, step.rate_new, t);
     integrator.refine_end_rate(step.rate_new);
     step.smooth_rates = integrator.has_smooth_rates();
-    while (seen.size() < times_.size() && times_[seen.size()] <= t + 1e-13 * duration_) {
-      const double at = times_[seen.size()];
-      step.state_at(at, problem_->positions(), inside);
-      seen.push_back(problem_->looked_at(at, inside));
+    for (; next < times_.size() && times_[next] <= t + 1e-13 * duration_; ++next) {
+      step.state_at(times_[next], problem_->positions(), inside);
+      problem_->look(times_[next], inside, seen);
     }
   }
 

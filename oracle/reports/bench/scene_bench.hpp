@@ -2,34 +2,24 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "oracle/reports/bench/bench_case.hpp"
+#include "oracle/reports/bench/bench_rows.hpp"
 
 namespace lubjoint::reports {
 
-/// One line of the campaign.
-struct BenchRow {
-  std::string scene;
-  std::string formulation;
-  std::string integrator;
-  double tolerance = 0;
-  MethodRun run;
-};
-
-/// A scene's references: how far two methods of extended precision lie apart bounds what an error can mean.
+/// A scene's reference: how far its two methods lie apart bounds what an error can mean.
 struct BenchReference {
   std::string scene;
+  bool golden;  ///< the golden trajectory, or two integrators in extended precision
   double agreement;
 };
 
 struct SceneBench {
   std::vector<BenchRow> rows;
   std::vector<BenchReference> references;
-  bool with_sundials = false;
 };
 
 struct SceneBenchSettings {
@@ -44,23 +34,13 @@ struct SceneBenchSettings {
 /// @param quick  few tolerances and repeats: a minute for the scenes that ship
 SceneBenchSettings scene_bench_settings(bool quick);
 
+/// Whatever runs out of time at two tolerances in a row is not run at the tighter ones, and says so.
 /// @throws SceneError, std::invalid_argument, OutputError
 SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings);
 
-/// Least time in which an integrator reaches an error, between its tolerances on a log-log line; none if it never does.
-std::optional<double> seconds_at_error(const SceneBench& bench, const std::string& scene,
-                                       const std::string& formulation, const std::string& integrator, double error);
+std::string scene_bench_csv(const std::vector<BenchRow>& rows);
 
-/// Least error that any tolerance reached.
-std::optional<double> error_floor(const SceneBench& bench, const std::string& scene, const std::string& formulation,
-                                  const std::string& integrator);
-
-std::string scene_bench_csv(const SceneBench& bench);
-
-/// By scene and formulation: times at 1e-3, 1e-6 and 1e-9, the fastest, how it compares with CVODE's BDF, floors.
-std::string scene_bench_table(const SceneBench& bench);
-
-/// Work-precision plots, bench-SCENE-FORMULATION.svg and .png. @throws OutputError
-void draw_scene_bench(const SceneBench& bench, const std::filesystem::path& folder);
+/// Work-precision plots, bench-SCENE-FORMULATION.svg and .png, one for each race. @throws OutputError
+void draw_scene_bench(const std::vector<BenchRow>& rows, const std::filesystem::path& folder);
 
 }  // namespace lubjoint::reports

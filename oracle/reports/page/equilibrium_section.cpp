@@ -9,22 +9,29 @@ namespace lubjoint::reports::page {
 
 namespace {
 constexpr double degrees = 180 / boost::math::constants::pi<double>();
+
+std::string rate_words(double rate) {
+  return std::abs(rate) < 0.1 ? scientific(rate, 3) : with_minus(fmt::format("{:.4f}", rate));
 }
 
-Cell agreement(const std::vector<std::string>& failures) {
-  if (failures.empty()) return verdict_cell(true, "agrees");
-  std::string words;
-  for (const std::string& failure : failures) words += (words.empty() ? "" : "; ") + failure;
-  return verdict_cell(false, words);
+std::string rate_words(const std::optional<MotionRate>& motion) {
+  return motion ? rate_words(motion->rate) : std::string("–");
 }
+}  // namespace
 
 Section equilibrium_section(const Content& content) {
-  const std::vector<Column> of_rest = {{"law", {}, false},          {"the paper", {}, false},
-                                       {"here", {}, false},         {"verdict", {}, false},
-                                       {"ε at rest", "–"},          {"attitude", "°"},
-                                       {"largest ε", "–"},          {"leading eigenvalue", "1/s"},
-                                       {"displacement", {}, false}, {"distance after 3 × the run", "c"},
-                                       {"second integrator", "c"}};
+  const std::vector<Column> of_rest = {{"law", {}, false},
+                                       {"the paper", {}, false},
+                                       {"here", {}, false},
+                                       {"verdict", {}, false},
+                                       {"ε at rest", "–"},
+                                       {"leading eigenvalue", "1/s"},
+                                       {"rate from 10⁻³ c off", "1/s"},
+                                       {"rate from rest", "1/s"},
+                                       {"largest ε", "–"},
+                                       {"attitude", "°"},
+                                       {"displacement", {}, false},
+                                       {"distance after 3 × the run", "c"}};
   Table rest("Equilibrium under the load of example 1, and its stability", of_rest);
   std::vector<Column> of_matrices = {{"law", {}, false}};
   for (const char* name : {"Kxx", "Kxy", "Kyx", "Kyy"}) of_matrices.push_back({name, "N/mm"});
@@ -32,15 +39,13 @@ Section equilibrium_section(const Content& content) {
   Table matrices("Stiffness K and damping C at the equilibrium", of_matrices);
   for (const Example1Law& item : content.journal.laws) {
     const std::complex<double> leading = item.rest.eigenvalues[0];
-    const double rate = leading.real();
-    rest.row({item.law, item.paper == "-" ? "–" : item.paper, item.rests ? "rests" : "circles",
-              agreement(item.failures), fmt::format("{:.6f}", item.rest.eccentricity_ratio),
-              fmt::format("{:.4f}", degrees * item.rest.attitude),
+    rest.row({item.law, item.paper == "-" ? "–" : item.paper, behaviour_word(item.found), agreement(item.verdict),
+              fmt::format("{:.6f}", item.rest.eccentricity_ratio),
+              fmt::format("{} ± {:.4f} i", rate_words(leading.real()), std::abs(leading.imag())),
+              rate_words(item.near_rest), rate_words(item.from_the_start),
               fmt::format("{:.6f}", item.run.max_eccentricity_ratio),
-              fmt::format("{} ± {:.4f} i", std::abs(rate) < 0.1 ? scientific(rate, 3) : fmt::format("{:.4f}", rate),
-                          std::abs(leading.imag())),
-              stability_word(item.rest.stability()), scientific(item.long_run_distance),
-              scientific(item.integrator_difference)});
+              fmt::format("{:.4f}", degrees * item.rest.attitude), stability_word(item.rest.stability()),
+              scientific(item.long_run_distance)});
     std::vector<Cell> cells{item.law};
     for (const Eigen::Matrix2d* matrix : {&item.rest.stiffness, &item.rest.damping}) {
       for (int i = 0; i < 2; ++i) {
@@ -49,11 +54,15 @@ Section equilibrium_section(const Content& content) {
     }
     matrices.row(std::move(cells));
   }
-  return {"equilibrium", "Equilibria and eigenvalues",
-          filled("equilibrium.html",
-                 {{"equilibria", rest.html()},
-                  {"matrices", matrices.html()},
-                  {"csv", csv_block("csv-journal", "journal-summary.csv", example_1_csv(content.journal))}})};
+  return {
+      "equilibrium", "Equilibria and eigenvalues",
+      filled(
+          "equilibrium.html",
+          {{"equilibria", rest.html()},
+           {"matrices", matrices.html()},
+           {"checks", checks_table("Example 1: what the letters of a verdict stand for", content.journal.verdicts())},
+           {"checks_csv", csv_block("csv-journal-checks", "journal-checks.csv", example_1_checks_csv(content.journal))},
+           {"csv", csv_block("csv-journal", "journal-summary.csv", example_1_csv(content.journal))}})};
 }
 
 }  // namespace lubjoint::reports::page

@@ -51,8 +51,16 @@ std::string by_letter(const Example1& example, const Words& words) {
 }
 
 std::string what_it_does(const Example1Law& item) {
-  return item.rests ? fmt::format("it comes to rest at ε = {:.4f}", item.rest.eccentricity_ratio)
-                    : fmt::format("it circles its equilibrium at ε = {:.4f}", item.rest.eccentricity_ratio);
+  const std::string where = fmt::format("ε = {:.4f}", item.rest.eccentricity_ratio);
+  switch (item.found) {
+    case Behaviour::rests:
+      return "it comes to rest at " + where;
+    case Behaviour::circles:
+      return "it circles its equilibrium at " + where;
+    case Behaviour::neither:
+      break;
+  }
+  return "it neither rests at nor circles its equilibrium at " + where;
 }
 
 Panel panel_of(const Figure& figure, const Example1& example, std::string_view law, const std::string& id,
@@ -71,6 +79,12 @@ std::vector<Panel> panels_of(const Figure& figure, const Example1& example, int 
                               fmt::format("({}) {}", letter, law_words(of_the_paper[i])), quantity, height));
   }
   return panels;
+}
+
+std::vector<const Verdict*> of_the_paper_verdicts(const Example1& example) {
+  std::vector<const Verdict*> verdicts;
+  for (const std::string_view law : of_the_paper) verdicts.push_back(&item_of(example, law).verdict);
+  return verdicts;
 }
 
 std::string sliding_words(const Example1& example) {
@@ -144,6 +158,11 @@ Section journal_section(const Content& content) {
            {"last_fx",
             by_letter(example, [](const auto& i) { return scientific(1e3 * last_of(i).force.x()) + " mN"; })},
            {"last_fy", by_letter(example, [](const auto& i) { return fmt::format("{:.5f} N", last_of(i).force.y()); })},
+           {"checked_9", checked_words(of_the_paper_verdicts(example),
+                                       {"e/c", "largest e/c", "rests or circles", "the paper's words"})},
+           {"checked_10", checked_words(of_the_paper_verdicts(example), {"force", "force of each sample"})},
+           {"checked_11", checked_words(of_the_paper_verdicts(example),
+                                        {"force", "force of each sample", "equilibrium carries the load"})},
            {"sliding", sliding_words(example)},
            {"orbits", draw_panels(panels_of(orbit, example, 9, "Path of the journal’s centre", 400))},
            {"horizontal", draw_panels(panels_of(horizontal, example, 10, "Horizontal force on the journal", 300))},

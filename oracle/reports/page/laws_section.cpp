@@ -63,6 +63,10 @@ Section laws_section(const Content& content) {
                                                                      {"100 digits, largest"},
                                                                      {"allowed"},
                                                                      {"verdict", {}, false}});
+  std::vector<Verdict> verdicts;
+  for (const LawCheck& law : checks.laws) verdicts.push_back(law.verdict());
+  std::vector<const Verdict*> judged;
+  for (const Verdict& verdict : verdicts) judged.push_back(&verdict);
   for (const LawCheck& law : checks.laws) {
     std::vector<Cell> cells{law.law};
     if (law.quadrature) {
@@ -72,8 +76,7 @@ Section laws_section(const Content& content) {
     } else {
       cells.insert(cells.end(), {"–", "no pressure", "–", "–"});
     }
-    cells.insert(cells.end(), {scientific(law.rounding), scientific(law.allowed, 0),
-                               verdict_cell(law.agrees(), law.agrees() ? "agrees" : "disagrees")});
+    cells.insert(cells.end(), {scientific(law.rounding), scientific(law.allowed, 0), agreement(law.verdict())});
     table.row(std::move(cells));
   }
   const std::vector<Panel> panels = {rounding_panel(checks, "rounding-short", "Short bearing", true),
@@ -85,6 +88,7 @@ Section laws_section(const Content& content) {
                                {"opening_median", percent(checks.opening.median)},
                                {"opening_largest", percent(checks.opening.largest)},
                                {"table", table.html()},
+                               {"checks", checks_table("Force laws: what the letters stand for", judged)},
                                {"plots", draw_panels(panels)},
                                {"csv", csv_block("csv-rounding", "rounding.csv", accuracy_csv(checks.rounding))}})};
 }

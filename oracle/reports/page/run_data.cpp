@@ -11,8 +11,6 @@ namespace lubjoint::reports::page {
 
 namespace {
 
-constexpr std::pair<std::string_view, RowStatus> of_a_run[] = {{"finished", RowStatus::finished},
-                                                               {"stopped", RowStatus::stopped}};
 constexpr std::pair<std::string_view, RowStatus> of_a_case[] = {{"finished", RowStatus::finished},
                                                                 {"coarse", RowStatus::coarse},
                                                                 {"unreferenced", RowStatus::unreferenced},
@@ -62,26 +60,7 @@ std::string plain(std::string_view csv) {
 }  // namespace
 
 RunTimes read_run_times(std::string_view csv, const std::string& name) {
-  const CsvTable table(csv, name);
-  for (const char* counted : {"steps", "rejected", "rhs_evaluations", "jacobian_evaluations", "factorisations"}) {
-    table.column(counted);
-  }
-  RunTimes result{plain(csv), {}};
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    RunTimeRow row;
-    row.scene = name_in(table, i, "scene");
-    row.formulation = name_in(table, i, "formulation");
-    row.integrator = name_in(table, i, "integrator");
-    row.tolerance = table.number(i, table.column("tolerance"));
-    row.status = status_of(table, i, of_a_run);
-    if (row.status == RowStatus::finished) {
-      row.error = size_in(table, i, "error");
-      row.seconds = size_in(table, i, "seconds");
-    }
-    row.message = table.field(i, table.column("message"));
-    result.rows.push_back(std::move(row));
-  }
-  return result;
+  return {plain(csv), read_bench_rows(CsvTable(csv, name)), {}};
 }
 
 Stability read_stability(std::string_view csv, const std::string& name) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/reports/bench/bench_rows.hpp"
+
 namespace lubjoint::reports::page {
 
 enum class RowStatus {
@@ -16,26 +18,14 @@ enum class RowStatus {
   wrong          ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
 };
 
-/// One run of a scene.
-struct RunTimeRow {
-  std::string scene;
-  std::string formulation;  ///< journal, absolute or minimal coordinates
-  std::string integrator;
-  double tolerance = 0;
-  std::optional<double> error;    ///< largest |e − e_ref| over the clearance; none if the run stopped
-  std::optional<double> seconds;  ///< none if the run stopped
-  RowStatus status = RowStatus::finished;
-  std::string message;
-};
-
+/// What `bench scenes` measured.
 struct RunTimes {
   std::string csv;
-  std::vector<RunTimeRow> rows;
+  std::vector<BenchRow> rows;
+  std::string measured_by;  ///< program and machine; empty where it is not known
 };
 
-/// Columns scene, formulation, integrator, tolerance, error, seconds, steps, rejected, rhs_evaluations,
-/// jacobian_evaluations, factorisations, status (finished, stopped), message; others are kept and not shown. Counts may
-/// be empty, and of a run that stopped error and seconds.
+/// The columns of read_bench_rows.
 /// @param name  of the file, for messages
 /// @throws CsvError that names file, line and column
 RunTimes read_run_times(std::string_view csv, const std::string& name);

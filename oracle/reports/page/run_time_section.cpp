@@ -1,52 +1,55 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <map>
+#include <optional>
 
+#include "oracle/reports/bench/equal_error.hpp"
 #include "oracle/reports/page/sections.hpp"
 
 namespace lubjoint::reports::page {
 
 namespace {
 
-constexpr std::array<double, 3> bounds = {1e-3, 1e-6, 1e-9};
+std::string milliseconds(const std::optional<Contender>& contender) {
+  return contender ? fmt::format("{:.3g} ms", 1e3 * contender->seconds) : "–";
+}
 
-std::string milliseconds(double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); }
+/// "ida, 6.1 ms": the fastest of a camp.
+std::string fastest_of(const RaceVerdict& verdict, Camp camp) {
+  const auto contender = verdict.fastest(camp);
+  return contender ? contender->integrator + ", " + milliseconds(contender) : "–";
+}
 
-/// The integrator that is first within an error, for each scene and formulation, in the order of the data.
-std::string fastest_table(const std::vector<RunTimeRow>& rows) {
-  Table table("Which integrator to use: the fastest that is within an error, with its time",
+std::string joined(const std::vector<Contender>& contenders) {
+  std::string names;
+  for (const Contender& each : contenders) names += (names.empty() ? "" : " = ") + each.integrator;
+  return names.empty() ? "–" : names;
+}
+
+/// For each race and error who is first, and what that means, in the order of the data.
+std::string fastest_table(const std::vector<BenchRow>& rows) {
+  Table table("Who is the fastest at equal error, by the rows below: times between tolerances on a log-log line",
               {{"scene", {}, false},
                {"coordinates", {}, false},
-               {"error up to 10⁻³ c", {}, false},
-               {"10⁻⁶ c", {}, false},
-               {"10⁻⁹ c", {}, false}});
-  using Key = std::pair<std::string, std::string>;
-  std::vector<Key> order;
-  std::map<Key, std::array<const RunTimeRow*, bounds.size()>> best;
-  for (const RunTimeRow& row : rows) {
-    const Key key{row.scene, row.formulation};
-    if (!best.contains(key)) {
-      order.push_back(key);
-      best[key].fill(nullptr);
+               {"error"},
+               {"radau_iia5", {}, false},
+               {"fastest of lubjoint's own", {}, false},
+               {"of CVODE and IDA", {}, false},
+               {"Simbody", {}, false},
+               {"fastest (= tie)", {}, false},
+               {"use", {}, false}});
+  for (const Race& race : races(rows)) {
+    for (const double error : judged_errors) {
+      const RaceVerdict verdict = judge_race(rows, race, error);
+      table.row({race.scene, race.formulation, scientific(error, 0), milliseconds(verdict.of("radau_iia5")),
+                 fastest_of(verdict, Camp::own), fastest_of(verdict, Camp::sundials),
+                 milliseconds(verdict.fastest(Camp::simbody)), joined(verdict.winners()), recommendation(verdict)});
     }
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      const RunTimeRow*& first = best[key][i];
-      if (row.error && *row.error <= bounds[i] && (!first || *row.seconds < *first->seconds)) first = &row;
-    }
-  }
-  for (const Key& key : order) {
-    std::vector<Cell> cells{key.first, key.second};
-    for (const RunTimeRow* row : best[key]) {
-      cells.emplace_back(row ? row->integrator + ", " + milliseconds(*row->seconds) : "none");
-    }
-    table.row(std::move(cells));
   }
   return table.html();
 }
 
 /// Runs that gave up, and runs that are far off without saying so.
-std::string failed_table(const std::vector<RunTimeRow>& rows) {
+std::string failed_table(const std::vector<BenchRow>& rows) {
   Table table("Runs that stopped, and runs that are wrong by more than 10⁻² c", {{"scene", {}, false},
                                                                                  {"coordinates", {}, false},
                                                                                  {"integrator", {}, false},
@@ -54,12 +57,12 @@ std::string failed_table(const std::vector<RunTimeRow>& rows) {
                                                                                  {"error", "c"},
                                                                                  {"what happened", {}, false}});
   std::size_t count = 0;
-  for (const RunTimeRow& row : rows) {
-    const bool stopped = row.status == RowStatus::stopped;
-    if (!stopped && row.error && *row.error <= 1e-2) continue;
+  for (const BenchRow& row : rows) {
+    const bool stopped = !row.run.finished;
+    if (!stopped && row.run.error <= 1e-2) continue;
     table.row({row.scene, row.formulation, row.integrator, scientific(row.tolerance, 0),
-               row.error ? scientific(*row.error) : "–",
-               stopped ? "stopped: " + (row.message.empty() ? "no reason given" : row.message)
+               stopped ? "–" : scientific(row.run.error),
+               stopped ? "stopped: " + (row.run.message.empty() ? "no reason given" : row.run.message)
                        : std::string("finished, without noticing")});
     ++count;
   }
@@ -67,6 +70,10 @@ std::string failed_table(const std::vector<RunTimeRow>& rows) {
   return fmt::format(
       "<details>\n<summary>{} runs stopped or are off by more than 10<sup>−2</sup> c</summary>\n{}</details>\n", count,
       table.html());
+}
+
+std::string measured_words(const std::string& by) {
+  return by.empty() ? std::string() : "<p>Measured by " + escaped(by) + ".</p>\n";
 }
 
 }  // namespace
@@ -81,6 +88,7 @@ Section run_time_section(const Content& content) {
     inner =
         filled("run-time-plot.html", {{"fastest", fastest_table(content.run_times->rows)},
                                       {"failed", failed_table(content.run_times->rows)},
+                                      {"measured", measured_words(content.run_times->measured_by)},
                                       {"csv", csv_block("csv-run-time", "bench-scenes.csv", content.run_times->csv)}});
   }
   return {"run-time", "Error against run time", filled("run-time.html", {{"content", inner}})};

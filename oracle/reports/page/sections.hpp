@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracle/reports/check.hpp"
 #include "oracle/reports/page/html.hpp"
 #include "oracle/reports/page/page.hpp"
 
@@ -32,8 +33,15 @@ Section provenance_section(const Content& content);
 /// A law in words: "long bearing, full film".
 std::string law_words(std::string_view law);
 
-/// "everything agrees", or the failures in one sentence.
-Cell agreement(const std::vector<std::string>& failures);
+/// A verdict as a cell: the letters of what it rests on, what failed, or a dash where nothing was checked.
+Cell agreement(const Verdict& verdict);
+
+/// What the letters stand for: a table with a row for each check of the verdicts, which have the same checks.
+std::string checks_table(const std::string& caption, const std::vector<const Verdict*>& verdicts);
+
+/// The paragraph "Checked: …" of a figure: some of the verdicts' checks, by what they judge.
+/// @throws std::logic_error for a check that the verdicts do not have
+std::string checked_words(const std::vector<const Verdict*>& verdicts, const std::vector<std::string>& whats);
 
 /// What the runs of the animation look like, as JSON for animation.js (described there).
 std::string animation_json(const Example1& journal, const Example2& slider_crank);

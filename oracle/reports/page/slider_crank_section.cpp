@@ -107,27 +107,23 @@ class Drawer {
 };
 
 std::string table_of(const Example2& example) {
-  Table table("Both revolutions of each parameter set, and how far the checks are from it",
-              {{"c, μ", {}, false},
-               {"verdict", {}, false},
-               {"largest ε", "–"},
-               {"least film", "µm"},
-               {"largest force", "N"},
-               {"largest moment", "N·m"},
-               {"least moment", "N·m"},
-               {"minimal coordinates", "c"},
-               {"energy ledger", "J"},
-               {"second to first", "c"},
-               {"multiplier", "–"},
-               {"swapped", "–"}});
+  Table table("Both revolutions of each parameter set, and how far the checks are from it", {{"c, μ", {}, false},
+                                                                                             {"verdict", {}, false},
+                                                                                             {"largest ε", "–"},
+                                                                                             {"least film", "µm"},
+                                                                                             {"largest force", "N"},
+                                                                                             {"largest moment", "N·m"},
+                                                                                             {"least moment", "N·m"},
+                                                                                             {"second to first", "c"},
+                                                                                             {"multiplier", "–"},
+                                                                                             {"swapped", "–"}});
   for (const Example2Case& item : example.cases) {
     const SceneJoint& joint = item.scene.joints[0];
     const DriverExtremes& moment = item.run.drivers[0];
-    table.row({fmt::format("{:g} mm, {:g} Pa·s", 1e3 * joint.clearance, joint.viscosity), agreement(item.failures),
+    table.row({fmt::format("{:g} mm, {:g} Pa·s", 1e3 * joint.clearance, joint.viscosity), agreement(item.verdict),
                fmt::format("{:.6f}", largest_ratio(item)), fmt::format("{:.3f}", least_film(item)),
                fmt::format("{:.2f}", item.run.joints[0].force.value), fmt::format("{:.3f}", moment.max_moment.value),
-               fmt::format("{:.3f}", moment.min_moment.value), scientific(item.oracle_difference),
-               scientific(item.run.energy_residual.value_or(0)), scientific(item.repeat_difference),
+               fmt::format("{:.3f}", moment.min_moment.value), scientific(item.repeat_difference),
                scientific(item.orbit.multipliers.empty() ? 0 : std::abs(item.orbit.multipliers[0])),
                scientific(item.swapped_ratio)});
   }
@@ -141,15 +137,12 @@ Section slider_crank_section(const Content& content) {
   const Example2& example = content.slider_crank;
   const Drawer drawer(example);
   const Example2Case& usual = case_of(example, base);
-  const double difference =
-      std::max(case_of(example, thin_wide).oracle_difference, case_of(example, thin).oracle_difference);
   Fields fields = {
       {"ideal_force", fmt::format("{:.2f}", example.ideal_force)},
       {"ideal_moment", fmt::format("{:.2f}", example.ideal_moment)},
       {"repeat", fmt::format("{:.2f}", usual.repeat_difference)},
       {"multiplier", usual.orbit.multipliers.empty() ? "?" : percent(std::abs(usual.orbit.multipliers[0]))},
       {"distance", scientific(usual.orbit.distance)},
-      {"difference_thin", scientific(difference)},
       {"figure_13", drawer.draw({drawer.panel("figure-13a", "(a) ", Quantity::force, base),
                                  drawer.panel("figure-13b", "(b) ", Quantity::moment, base)})},
       {"figure_14", drawer.draw({drawer.panel("figure-14-orbit", "", Quantity::orbit, base)})},
@@ -165,11 +158,30 @@ Section slider_crank_section(const Content& content) {
                              drawer.panel("film-thin-wide", "", Quantity::film, thin_wide),
                              drawer.panel("film-thin", "", Quantity::film, thin)})},
       {"table", table_of(example)},
+      {"checks", checks_table("Example 2: what the letters of a verdict stand for", example.verdicts())},
+      {"checks_csv", csv_block("csv-slider-crank-checks", "slider-crank-checks.csv", example_2_checks_csv(example))},
       {"csv", csv_block("csv-slider-crank", "slider-crank-summary.csv", example_2_csv(example))},
       {"film_base", film_words(usual)},
       {"film_thin", film_words(case_of(example, thin))},
       {"film_thin_wide", film_words(case_of(example, thin_wide))},
   };
+  const auto checked = [&](int figure, const std::vector<Parameters>& figure_sets,
+                           const std::vector<std::string>& whats) {
+    std::vector<const Verdict*> verdicts;
+    for (const Parameters& set : figure_sets) verdicts.push_back(&case_of(example, set).verdict);
+    fields[fmt::format("checked_{}", figure)] = checked_words(verdicts, whats);
+  };
+  const std::vector<std::string> of_force{"joint force", "largest force"};
+  const std::vector<std::string> of_moment{"driving moment", "moment's extremes"};
+  checked(13, {base}, {"joint force", "driving moment", "largest force", "moment's extremes", "times of these"});
+  checked(14, {base}, {"e/c"});
+  checked(15, {base}, {"film thickness", "least film"});
+  checked(16, {wide, narrow}, of_force);
+  checked(17, {wide, narrow}, of_moment);
+  checked(18, {wide, narrow}, {"e/c"});
+  checked(19, {thin_wide, thin}, {"joint force", "largest force", "times of these"});
+  checked(20, {thin_wide, thin}, of_moment);
+  checked(21, {thin_wide, thin}, {"e/c"});
   const std::pair<const char*, Parameters> sets[] = {
       {"base", base}, {"wide", wide}, {"narrow", narrow}, {"thin_wide", thin_wide}, {"thin", thin}};
   for (const auto& [name, set] : sets) {

@@ -8,6 +8,7 @@
 
 #include "oracle/reports/golden_files.hpp"
 #include "oracle/reports/trajectories/multibody_trajectory.hpp"
+#include "oracle/reports/trajectories/second_derivation.hpp"
 
 namespace lubjoint::reports {
 
@@ -15,6 +16,7 @@ struct GoldenTrajectory {
   std::string file;
   double duration;  ///< of the scene, and the time of the last row [s]
   std::function<ReferenceCsv()> make;
+  std::function<SecondAgreement(const CsvTable&)> second;  ///< compares a file with its second derivation
 };
 
 /// Of all scenes of a folder, in the order of their names.
@@ -28,12 +30,12 @@ struct TrajectoryRun {
 };
 
 /// Writes the files that are not there (each when it is done: an interrupted run goes on where it was), then the
-/// manifest of all.
+/// manifest of all. A trajectory that disagrees with its second derivation is not written.
 /// @throws OutputError, std::runtime_error; std::invalid_argument if a file that is there is cut off
 void write_golden_trajectories(const std::filesystem::path& folder, const std::vector<GoldenTrajectory>& trajectories,
                                const TrajectoryRun& run);
 
-/// Makes all of them again and compares byte for byte.
+/// Makes all of them again and compares byte for byte; compares the files with their second derivations.
 std::vector<GoldenDifference> check_golden_trajectories(const std::filesystem::path& folder,
                                                         const std::vector<GoldenTrajectory>& trajectories,
                                                         const TrajectoryRun& run);

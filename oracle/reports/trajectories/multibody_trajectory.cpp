@@ -10,42 +10,13 @@
 #include "oracle/reports/files.hpp"
 #include "oracle/reports/slider_crank_scene.hpp"
 #include "oracle/reports/trajectories/disagreement.hpp"
+#include "oracle/reports/trajectories/trajectory_columns.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
 
 using Values = TrajectoryValues<double>;
-
-struct Columns {
-  std::vector<std::string> names;
-  std::vector<std::size_t> vectors;  ///< numbers of components
-
-  void add(const std::vector<std::string>& components) {
-    names.insert(names.end(), components.begin(), components.end());
-    vectors.push_back(components.size());
-  }
-};
-
-Columns columns_of(const Scene& scene) {
-  Columns columns;
-  for (const SceneJoint& joint : scene.joints) {
-    columns.add({joint.name + ".ex_over_c", joint.name + ".ey_over_c"});
-    columns.add({joint.name + ".fx", joint.name + ".fy"});
-  }
-  if (scene.joints.empty()) {
-    std::vector<std::string> angles;
-    for (const SceneBody& body : scene.bodies) {
-      columns.add({body.name + ".x", body.name + ".y"});
-      angles.push_back(body.name + ".phi");
-    }
-    columns.add(angles);
-  }
-  for (const SceneConstraint& each : scene.constraints) {
-    if (std::holds_alternative<SceneDriver>(each.kind)) columns.add({each.name + ".moment"});
-  }
-  return columns;
-}
 
 std::vector<double> row_of(const Scene& scene, const MultibodySample& sample) {
   std::vector<double> row;
@@ -170,7 +141,7 @@ ReferenceCsv multibody_reference(const Scene& scene) {
     printed = radau;
     others = {fehlberg_rows(scene)};
   }
-  const Columns columns = columns_of(scene);
+  const TrajectoryColumns columns = multibody_columns(scene);
   std::vector<double> apart(printed.size(), 0.0);
   for (const Values& other : others) {
     const std::vector<double> each = disagreements(printed, other, columns.vectors);

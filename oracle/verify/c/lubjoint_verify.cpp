@@ -118,7 +118,7 @@ int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* reques
         verify_answers(kind, law, std::move(states), answers_from_numbers(std::move(values), columns));
     const std::string words = text ? text_report(result) : std::string();
     const std::string object = json ? json_report(result).dump() : std::string();
-    *verdict = static_cast<int>(result.verdict());
+    *verdict = result.accepted() ? 0 : result.verdict == Verdict::undecided ? 2 : 1;
     if (text) *text = copied(words);
     if (json) *json = copied(object);
   });

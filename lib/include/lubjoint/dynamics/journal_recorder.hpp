@@ -51,33 +51,15 @@ class JournalRecorder {
     const int pieces = static_cast<int>(std::min<std::size_t>(looks, max_pieces));
     std::array<double, max_pieces + 1> ratio{};
     std::array<double, max_pieces + 1> force{};
+    const auto time_of = [&](int i) { return i == pieces ? t_new : t_old + (t_new - t_old) * i / pieces; };
     for (int i = 0; i <= pieces; ++i) {
-      const double t = i == pieces ? t_new : t_old + (t_new - t_old) * i / pieces;
-      const auto y = state_at(t);
+      const auto y = state_at(time_of(i));
       const auto k = static_cast<std::size_t>(i);
-      ratio[k] = squared_ratio(mode, t, y);
-      force[k] = mode.force(t, y).norm();
+      ratio[k] = squared_ratio(mode, time_of(i), y);
+      force[k] = mode.force(time_of(i), y).norm();
     }
-    for (int i = 0; i <= pieces; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const double lower = t_old + (t_new - t_old) * std::max(i - 1, 0) / pieces;
-      const double upper = t_old + (t_new - t_old) * std::min(i + 1, pieces) / pieces;
-      // A peak inside the step, not the way up to its end.
-      const auto is_peak = [&](const auto& values) {
-        return i > 0 && i < pieces && values[k] >= values[k - 1] && values[k] >= values[k + 1];
-      };
-      if (ratio[k] > max_squared_ratio_) {
-        max_squared_ratio_ = ratio[k];
-        if (is_peak(ratio)) {
-          refine(max_squared_ratio_, lower, upper, [&](double t) { return squared_ratio(mode, t, state_at(t)); });
-        }
-      }
-      if (force[k] > max_force_) {
-        max_force_ = force[k];
-        if (is_peak(force))
-          refine(max_force_, lower, upper, [&](double t) { return mode.force(t, state_at(t)).norm(); });
-      }
-    }
+    squared_ratio_.look(ratio, pieces, time_of, [&](double t) { return squared_ratio(mode, t, state_at(t)); });
+    force_.look(force, pieces, time_of, [&](double t) { return mode.force(t, state_at(t)).norm(); });
   }
 
   /// The last sample.
@@ -89,13 +71,59 @@ class JournalRecorder {
   /// An interval of sliding.
   void slid(double start, double end) { sliding_.push_back({start, end}); }
 
-  const std::vector<JournalSample>& samples() const { return samples_; }           ///< in order
-  const std::vector<SlidingInterval>& sliding() const { return sliding_; }         ///< in order
-  double max_eccentricity_ratio() const { return std::sqrt(max_squared_ratio_); }  ///< largest ε
-  double max_force() const { return max_force_; }                                  ///< largest |F| [N]
+  const std::vector<JournalSample>& samples() const { return samples_; }               ///< in order
+  const std::vector<SlidingInterval>& sliding() const { return sliding_; }             ///< in order
+  double max_eccentricity_ratio() const { return std::sqrt(squared_ratio_.value()); }  ///< largest ε
+  double max_force() const { return force_.value(); }                                  ///< largest |F| [N]
+  double t_max_eccentricity_ratio() const { return squared_ratio_.t(); }               ///< when ε was largest [s]
+  double t_max_force() const { return force_.t(); }                                    ///< when |F| was [s]
 
  private:
   static constexpr std::size_t max_pieces = 4;
+  using Looks = std::array<double, max_pieces + 1>;
+
+  /// The largest value of one quantity, and when.
+  class Largest {
+   public:
+    double value() const { return value_; }
+    double t() const { return t_; }
+
+    void consider(double value, double t) {
+      if (!(value > value_)) return;
+      value_ = value;
+      t_ = t;
+    }
+
+    /// @param values  at time_of(0) … time_of(pieces) of a step;  @param f  the quantity at any time of the step
+    template <class TimeOf, class Function>
+    void look(const Looks& values, int pieces, const TimeOf& time_of, const Function& f) {
+      for (int i = 0; i <= pieces; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (values[k] < value_) continue;
+        consider(values[k], time_of(i));
+        if (i > 0 && i < pieces) {
+          if (values[k] >= values[k - 1] && values[k] >= values[k + 1]) refine(time_of(i - 1), time_of(i + 1), f);
+        } else {
+          // No look beyond a step's end: the value a little inside tells on which side of the end the peak lies.
+          const int inside = i == 0 ? 1 : pieces - 1;
+          if (values[static_cast<std::size_t>(inside)] > values[k]) continue;  // the peak is further on
+          const double beside = time_of(i) + 1e-3 * (time_of(inside) - time_of(i));
+          if (f(beside) > values[k])
+            refine(std::min(time_of(i), time_of(inside)), std::max(time_of(i), time_of(inside)), f);
+        }
+      }
+    }
+
+   private:
+    template <class Function>
+    void refine(double lower, double upper, const Function& f) {
+      const auto minimum = boost::math::tools::brent_find_minima([&](double t) { return -f(t); }, lower, upper, 26);
+      consider(-minimum.second, minimum.first);
+    }
+
+    double value_ = 0;
+    double t_ = 0;
+  };
 
   double output_time(std::size_t i) const { return static_cast<double>(i) * settings_.output_interval; }
 
@@ -106,8 +134,8 @@ class JournalRecorder {
 
   template <class Mode, class State>
   void consider(const Mode& mode, double t, const State& y) {
-    max_squared_ratio_ = std::max(max_squared_ratio_, squared_ratio(mode, t, y));
-    max_force_ = std::max(max_force_, mode.force(t, y).norm());
+    squared_ratio_.consider(squared_ratio(mode, t, y), t);
+    force_.consider(mode.force(t, y).norm(), t);
   }
 
   template <class Mode, class State>
@@ -116,18 +144,12 @@ class JournalRecorder {
     return journal[0] * journal[0] + journal[1] * journal[1];
   }
 
-  template <class Function>
-  static void refine(double& best, double lower, double upper, const Function& f) {
-    const auto minimum = boost::math::tools::brent_find_minima([&](double t) { return -f(t); }, lower, upper, 26);
-    best = std::max(best, -minimum.second);
-  }
-
   RunSettings settings_;
   std::size_t next_ = 0;
   std::vector<JournalSample> samples_;
   std::vector<SlidingInterval> sliding_;
-  double max_squared_ratio_ = 0;
-  double max_force_ = 0;
+  Largest squared_ratio_;
+  Largest force_;
 };
 
 }  // namespace lubjoint

@@ -19,7 +19,9 @@ struct JournalTrajectory {
   std::vector<JournalSample> samples;    ///< one each output interval, and the last state
   std::vector<SlidingInterval> sliding;  ///< when a half film slid along a = 0
   double max_eccentricity_ratio = 0;     ///< largest ε
+  double t_max_eccentricity_ratio = 0;   ///< when [s]
   double max_force = 0;                  ///< [N]
+  double t_max_force = 0;                ///< when [s]
   double min_film_thickness = 0;         ///< c(1 − ε) [m]
   double wall_seconds = 0;               ///< that the run took
 };
