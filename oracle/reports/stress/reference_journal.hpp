@@ -331,11 +331,10 @@ struct WallSystem : PieceOf<R> {
     return s;
   }
 
-  /// What ġ is measured by: a film of this gap lets a load squeeze it at some V g^{5/2}.
+  /// What ġ is measured by: the rate at which a motion as fast as this one closes such a gap.
   R rate_of_gap(const State& y, const R& gap) const {
     using std::abs;
-    using std::sqrt;
-    return std::max(R(this->velocity_scale * gap * gap * sqrt(gap)), R(abs(y(2))));
+    return std::max(R(this->velocity_scale * gap), R(abs(y(2))));
   }
 
   std::array<R, 4> margins(const R&, const State& y) const {
@@ -542,7 +541,12 @@ class JournalMotionBy {
     const Pair<R> e(s.y(0), s.y(1));
     if (forces_.kinks()) {
       R squeezed = s.wall ? R(-s.y(2)) : e.dot(squeeze(s));
-      if (squeezed == 0 && s.wall) squeezed = -wall(s).rate(s.t, s.y)(2);  // where it is about to go
+      // Where it is about to go: g̈, or the rate of e·w.
+      if (squeezed == 0 && s.wall) squeezed = -wall(s).rate(s.t, s.y)(2);
+      if (squeezed == 0 && !s.wall) {
+        const auto d = plane(s).rate(s.t, s.y);
+        squeezed = s.y(2) * s.y(2) + s.y(3) * s.y(3) + s.y(0) * d(2) + s.y(1) * d(3);
+      }
       s.side = squeezed < 0 ? -1 : 1;
       return;
     }

@@ -34,6 +34,8 @@ struct StressRun {
   std::vector<StressSample> samples;
   double seconds = 0;
   double thinnest_film = 1;  ///< in clearances
+  std::size_t jumps = 0;     ///< steps across a half film's jump
+  std::string warning;       ///< of what its tolerance leaves open
   std::string fault;         ///< what no run may do; empty if it did not
 };
 
@@ -83,6 +85,8 @@ StressRun run_multibody(const Scene& scene) {
   run.seconds = trajectory.wall_seconds;
   run.thinnest_film = thinnest_film(scene, 0, trajectory);
   const SceneJoint& joint = scene.joints.front();
+  run.jumps = trajectory.joints.front().jump_crossings;
+  run.warning = jump_warning(joint, trajectory.joints.front());
   for (const MultibodySample& sample : trajectory.samples) {
     const JointSample& at = sample.joints.front();
     const Vector2<double> velocity =
@@ -99,6 +103,8 @@ StressRun run_multibody(const Scene& scene) {
 StressRun run_scene(const Scene& scene) {
   try {
     StressRun run = is_free_journal(scene) ? run_journal(scene) : run_multibody(scene);
+    const std::string coarse = resolution_warning(scene, scene.joints.front(), run.thinnest_film);
+    run.warning = coarse + (coarse.empty() || run.warning.empty() ? "" : "; ") + run.warning;
     const RunOutcome& outcome = run.outcome;
     const auto fault = [&](const std::string& what) {
       if (run.fault.empty()) run.fault = what;
@@ -121,12 +127,18 @@ std::string without_commas(std::string text) {
   return text;
 }
 
-/// What the errors of a run come from. In absolute coordinates every step rounds places of the mechanism's size; rates
-/// have the tolerance of the scene's own rate, which may be above the motion's.
+/// What the errors of a run come from. A step's error is held in the root mean square of n states over their
+/// tolerances: in one of them it may be √n of these. A free journal's two tolerances add up. In absolute coordinates
+/// every step rounds places of the mechanism's size; rates have the tolerance of the scene's own rate, which may be
+/// above the motion's.
 StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const StressReference& reference) {
-  StressAccuracy accuracy{tolerance_of_places(scene), std::numeric_limits<double>::epsilon(), run.thinnest_film,
-                          run.outcome.steps};
-  if (is_free_journal(scene)) return accuracy;
+  StressAccuracy accuracy{tolerance_of_places(scene), std::numeric_limits<double>::epsilon(),    run.thinnest_film,
+                          run.outcome.steps,          leaves_no_digit(scene, run.thinnest_film), run.jumps};
+  if (is_free_journal(scene)) {
+    accuracy.tolerance = std::sqrt(4.0) * (scene.run.relative_tolerance + scene.run.absolute_tolerance);
+    return accuracy;
+  }
+  accuracy.tolerance *= std::sqrt(6.0 * static_cast<double>(scene.bodies.size()));
   const SceneUnits units = scene_units(scene);
   accuracy.tolerance *= std::max(1.0, units.rate / reference.rate_unit);
   double largest = units.length;
@@ -148,9 +160,8 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
                   run.outcome.steps + run.outcome.rejected_steps,
                   measuring_sources(),
                   run.outcome.message};
-  const std::string warning = resolution_warning(scene, scene.joints.front(), run.thinnest_film);
-  if (finished) cell.message = warning;
-  if (run.fault.empty()) cell.status = stress_status(finished, cell.deviation, !warning.empty());
+  if (finished) cell.message = run.warning;
+  if (run.fault.empty()) cell.status = stress_status(finished, cell.deviation, !run.warning.empty());
   if (!run.fault.empty()) {
     cell.message = run.fault;
   } else if (cell.status == StressStatus::wrong) {
@@ -262,11 +273,10 @@ std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const S
       kept.earlier() ? by_key(*kept.earlier()) : std::map<CellKey, StressCell>();
 
   const std::size_t groups = cases.size() * settings.laws.size();
-  // All of them before anything runs: a campaign of an hour does not end at a case without one.
-  std::vector<const StressReference*> references;
+  std::vector<StressReference> references;
   for (const StressCase& each : cases) {
     for (const std::string& law : settings.laws)
-      references.push_back(&settings.references.of(with_law(each.scene, law)));
+      references.push_back(settings.references.of(with_law(each.scene, law)));
   }
   std::vector<std::vector<StressCell>> done(groups);
   std::mutex mutex;
@@ -284,7 +294,7 @@ std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const S
         continue;
       }
       scene.integrator = integrator;
-      done[group].push_back(make_cell(scenario, scene, law, *references[group]));
+      done[group].push_back(make_cell(scenario, scene, law, references[group]));
       rows += csv_line(done[group].back());
     }
     const std::lock_guard lock(mutex);

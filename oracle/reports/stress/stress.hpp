@@ -48,7 +48,7 @@ Scene with_law(Scene scene, const std::string& law);
 std::string stress_key(const std::vector<StressCase>& cases, const StressSettings& settings);
 
 /// Runs the matrix; cells by case, law and integrator, the same for any number of threads but for their seconds.
-/// @throws OutputError, CsvError of the resume file; std::invalid_argument if a case has no stored reference of its own
+/// @throws OutputError, CsvError of the resume file
 std::vector<StressCell> run_stress(const std::vector<StressCase>& cases, const StressSettings& settings);
 
 /// The cells of a CSV that stress_csv wrote. In one of before rates and forces were compared (without the column

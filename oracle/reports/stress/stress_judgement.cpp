@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/reports/film_resolution.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
 
 /// Steps whose errors add up: a run of more is one whose steps are bound by something else than its tolerance.
 constexpr double steps_that_count = 1000;
-/// The film's force follows its thickness to this power at most: the radial force of a short film.
-constexpr double film_power = 2.5;
 /// A reference is not known better than to what its two methods differ by, and the sum of two such differences may be
 /// larger than either.
 constexpr double reference_margin = 10;
@@ -25,7 +25,7 @@ double finite_or_infinite(double distance) {
 
 double ratio(double error, double limit) {
   if (error == 0) return 0;
-  return limit > 0 && std::isfinite(error) ? error / limit : std::numeric_limits<double>::infinity();
+  return limit > 0 && std::isfinite(error) ? error / limit : std::numeric_limits<double>::infinity();  // error/∞ is 0
 }
 
 }  // namespace
@@ -76,8 +76,16 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     const double share = std::min(1.0, film_power * expected / run.thinnest_film);
     const double speed = row.rate.norm() / reference.rate_unit;
     const std::array<double, 3> limits = {expected, expected, expected * row.force_gain};
-    const std::array<double, 3> warned = {std::min(1.0, expected + share * way), expected + share * (1 + speed),
-                                          share < 1 ? limits[2] : std::numeric_limits<double>::infinity()};
+    constexpr double open = std::numeric_limits<double>::infinity();
+    double warned_of = expected;
+    if (run.jumps > 0) {
+      const double all = static_cast<double>(run.steps) * (run.tolerance + run.rounding) * row.growth;
+      warned_of = std::max(expected, std::min(all, 0.1));
+    }
+    const bool open_force = run.no_digit || run.jumps > 0 || share == 1;
+    const std::array<double, 3> warned = {run.no_digit ? 1.0 : std::min(1.0, warned_of + share * way),
+                                          run.no_digit ? open : warned_of + share * (1 + speed),
+                                          open_force ? open : limits[2]};
     static constexpr std::array<const char*, 3> names = {"place", "rate", "force"};
     for (std::size_t k = 0; k < 3; ++k) {
       largest[k] = std::max(largest[k], errors[k]);

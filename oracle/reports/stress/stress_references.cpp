@@ -103,14 +103,15 @@ const StressReference* StressReferences::find(const std::string& key) const {
   return found == by_key_.end() ? nullptr : &found->second;
 }
 
-const StressReference& StressReferences::of(const Scene& scene) const {
+StressReference StressReferences::of(const Scene& scene) const {
   const std::string key = motion_key(scene);
   if (const StressReference* found = find(key)) return *found;
-  throw std::invalid_argument(
-      fmt::format("no stored reference is one of case \"{}\" with law \"{}\" (motion {}): the references were made for "
-                  "other scenes; "
-                  "`stress --references FOLDER` makes those that are missing",
-                  scene.name, scene.joints.front().film, key));
+  StressReference none;
+  none.scenario = scene.name;
+  none.law = scene.joints.front().film;
+  none.key = key;
+  none.why_none = "none was made for this motion; `stress --references FOLDER` makes those that are missing";
+  return none;
 }
 
 StressReferences StressReferences::read(const std::filesystem::path& folder) {

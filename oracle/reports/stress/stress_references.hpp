@@ -59,9 +59,8 @@ class StressReferences {
   const StressReference* find(const std::string& key) const;
   const std::map<std::string, StressReference>& all() const { return by_key_; }
 
-  /// That of a scene. @throws std::invalid_argument that names case and law if the scene is another than any reference
-  /// was made for
-  const StressReference& of(const Scene& scene) const;
+  /// That of a scene; one without rows, and with why, if the scene is another than any reference was made for.
+  StressReference of(const Scene& scene) const;
 
  private:
   std::map<std::string, StressReference> by_key_;

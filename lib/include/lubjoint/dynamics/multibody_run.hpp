@@ -20,7 +20,8 @@ namespace lubjoint {
 enum class ConstraintUpkeep { by_accelerations, by_projection };
 
 /// Contact is followed event by event. The jump of a half film at a = 0 is not: a free journal's run has a mode for
-/// motion that slides on it, this run stops there with a message that says so.
+/// motion that slides on it, this run crosses
+/// it back and forth, with the force of sliding in its samples, or stops there with a message that says so.
 template <class R>
 class MultibodyRun {
  public:
@@ -117,6 +118,7 @@ class MultibodyRun {
         if (!resolve_event(*step)) return;
         close(*step);
         if (step->t_new > step->t_old) recorder_.step(step, by_method());
+        if (!resolves_contact()) return;
         change_phase();
         continue;
       }
@@ -128,6 +130,7 @@ class MultibodyRun {
         close(*step);
       }
       recorder_.step(step, by_method());
+      if (!resolves_contact()) return;
     }
     t_ = t_end;
   }
@@ -295,6 +298,12 @@ class MultibodyRun {
       ode_.memory() = memory;
       if (!reached) step.state_at(t, ode_.system().coordinates(), y);
     };
+  }
+
+  bool resolves_contact() {
+    const std::string reason = detail::unresolved_contact_reason(ode_, t_, y_, settings_.absolute_tolerance);
+    if (!reason.empty()) stop(reason);
+    return reason.empty();
   }
 
   void change_phase() {

@@ -1,10 +1,11 @@
 /// Why a multibody run could not go on, and what to change.
 #pragma once
 
+#include <algorithm>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "lubjoint/dynamics/half_film_slide.hpp"
 #include "lubjoint/dynamics/multibody_ode.hpp"
 #include "lubjoint/dynamics/outcome.hpp"
 #include "lubjoint/dynamics/stop_words.hpp"
@@ -15,11 +16,31 @@ inline constexpr const char* slides_on_jump = "a half film that slides on its ju
 
 template <class R>
 bool has_half_film(const PlanarSystem<R>& system) {
-  const auto is_polar = []<class Law>(const LubricatedJoint<Law, R>&) { return PolarLaw<Law>; };
-  for (const JointElement<R>& joint : system.joints()) {
-    if (joint.film && std::visit(is_polar, *joint.film)) return true;
+  return std::any_of(system.joints().begin(), system.joints().end(),
+                     [](const JointElement<R>& joint) { return has_half_film(joint); });
+}
+
+/// A tolerance wider than the blend of film and contact says nothing of the share that the contact has, and so of how a
+/// journal within a tolerance of its wall comes back; empty if it is not, or the journal is further off.
+template <class R>
+std::string unresolved_contact_reason(MultibodyOde<R>& ode, const R& t, const std::vector<R>& y, double tolerance) {
+  const std::vector<JointElement<R>>& joints = ode.system().joints();
+  const auto unresolved = [&](const JointElement<R>& joint) {
+    return joint.contact && joint.contact->transition &&
+           R(tolerance) * joint.bearing.clearance() > joint.contact->transition->e0;
+  };
+  if (std::none_of(joints.begin(), joints.end(), unresolved)) return {};
+  ode.system().evaluate_kinematics(t, y.data(), ode.workspace());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const R& c = joints[j].bearing.clearance();
+    const R distance = norm(ode.system().journal_motion(j, ode.workspace()).eccentricity);
+    if (!unresolved(joints[j]) || distance < (1 - R(tolerance)) * c) continue;
+    return "joint \"" + joints[j].name + "\" meets its wall, and the absolute_tolerance of " + number(tolerance) +
+           " clearances is wider than the blend of film and contact, e0/c = " +
+           number(static_cast<double>(joints[j].contact->transition->e0 / c)) +
+           ": the contact would be chance; use a tolerance of at most a tenth of e0/c";
   }
-  return false;
+  return {};
 }
 
 /// The joint nearest to its wall.
