@@ -250,6 +250,7 @@ inline constexpr double chart_out = 0.4;
 /// Away from the wall: ê, w, spin.
 template <class R>
 struct PlaneSystem : PieceOf<R> {
+  using PieceOf<R>::forces;
   using Scalar = R;
   static constexpr int size = 5;
   using State = Eigen::Matrix<R, 5, 1>;
@@ -270,7 +271,6 @@ struct PlaneSystem : PieceOf<R> {
     }
     const RadialForce<R> f = this->force(R(1 - distance), w.dot(r), w.dot(turned(r)), y(4));
     const Pair<R> force = f.radial * r + f.across * turned(r);
-    const auto& forces = this->forces;
     State d;
     d << y(2), y(3), (force.x() + forces.load.x()) / forces.inertia, (force.y() + forces.load.y()) / forces.inertia,
         forces.spin_rate + f.couple / forces.turning_inertia;
@@ -303,6 +303,7 @@ struct PlaneSystem : PieceOf<R> {
 ///   g̈ = −(1 − g) γ̇² − (F_r + W·r)/(m c),   (1 − g) γ̈ = 2 ġ γ̇ + (F_t + W·t)/(m c)
 template <class R>
 struct WallSystem : PieceOf<R> {
+  using PieceOf<R>::forces;
   using Scalar = R;
   static constexpr int size = 5;
   using State = Eigen::Matrix<R, 5, 1>;
@@ -310,7 +311,6 @@ struct WallSystem : PieceOf<R> {
   State rate(const R&, const State& y) const {
     using std::cos;
     using std::sin;
-    const auto& forces = this->forces;
     const R distance = 1 - y(0);
     const RadialForce<R> f = this->force(y(0), R(-y(2)), R(distance * y(3)), y(4));
     const R c = cos(y(1));
@@ -355,6 +355,7 @@ struct WallSystem : PieceOf<R> {
 /// State: x, ẋ, γ, spin; x is the place ρ along n, below zero beyond the centre, or near the wall the gap 1 − ρ.
 template <class R>
 struct LineSystem : PieceOf<R> {
+  using PieceOf<R>::forces;
   using Scalar = R;
   static constexpr int size = 4;
   using State = Eigen::Matrix<R, 4, 1>;
@@ -375,7 +376,6 @@ struct LineSystem : PieceOf<R> {
     using std::abs;
     using std::cos;
     using std::sin;
-    const auto& forces = this->forces;
     Here here;
     here.n = {cos(y(2)), sin(y(2))};
     here.place = wall ? R(1 - y(0)) : y(0);
@@ -400,7 +400,6 @@ struct LineSystem : PieceOf<R> {
   }
 
   State rate(const R&, const State& y) const {
-    const auto& forces = this->forces;
     const Here here = at(y);
     const R mean = y(3) / 2;
     const R outwards = mean * mean * here.place + (here.radial + forces.load.dot(here.n)) / forces.inertia;
@@ -572,7 +571,8 @@ class JournalMotionBy {
       y(0) += rate(1) * moment * moment / 2;
     }
     const auto here = line.at(y);
-    s.sliding = here.reach > 0 && abs(here.needed) <= here.reach;
+    // From the centre the reach grows from 0, and what is needed is 0 to the rounding of the load's share across.
+    s.sliding = here.reach > 0 && abs(here.needed) <= here.reach + PieceOf<R>::noise() * forces_.load.norm();
     s.side = from != 0 ? -from : here.needed > 0 ? 1 : -1;
   }
 

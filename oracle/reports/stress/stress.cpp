@@ -132,15 +132,20 @@ std::string without_commas(std::string text) {
 /// every step rounds places of the mechanism's size; rates have the tolerance of the scene's own rate, which may be
 /// above the motion's.
 StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const StressReference& reference) {
-  StressAccuracy accuracy{tolerance_of_places(scene), std::numeric_limits<double>::epsilon(),    run.thinnest_film,
-                          run.outcome.steps,          leaves_no_digit(scene, run.thinnest_film), run.jumps};
+  StressAccuracy accuracy;
+  accuracy.tolerance = tolerance_of_places(scene);
+  accuracy.rounding = std::numeric_limits<double>::epsilon();
+  accuracy.thinnest_film = run.thinnest_film;
+  accuracy.steps = run.outcome.steps;
+  accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
+  accuracy.jumps = run.jumps;
   if (is_free_journal(scene)) {
     accuracy.tolerance = std::sqrt(4.0) * (scene.run.relative_tolerance + scene.run.absolute_tolerance);
     return accuracy;
   }
   accuracy.tolerance *= std::sqrt(6.0 * static_cast<double>(scene.bodies.size()));
   const SceneUnits units = scene_units(scene);
-  accuracy.tolerance *= std::max(1.0, units.rate / reference.rate_unit);
+  accuracy.rate_share = std::max(1.0, units.rate / reference.rate_unit);
   double largest = units.length;
   for (const SceneBody& body : scene.bodies) largest = std::max(largest, body.position.norm());
   accuracy.rounding *= largest / scene.joints.front().clearance;

@@ -75,7 +75,8 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     const double expected = expected_error(run, row.growth);
     const double share = std::min(1.0, film_power * expected / run.thinnest_film);
     const double speed = row.rate.norm() / reference.rate_unit;
-    const std::array<double, 3> limits = {expected, expected, expected * row.force_gain};
+    const double rates = expected * run.rate_share;
+    const std::array<double, 3> limits = {expected, rates, rates * row.force_gain};
     constexpr double open = std::numeric_limits<double>::infinity();
     double warned_of = expected;
     if (run.jumps > 0) {
@@ -84,7 +85,7 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     }
     const bool open_force = run.no_digit || run.jumps > 0 || share == 1;
     const std::array<double, 3> warned = {run.no_digit ? 1.0 : std::min(1.0, warned_of + share * way),
-                                          run.no_digit ? open : warned_of + share * (1 + speed),
+                                          run.no_digit ? open : warned_of * run.rate_share + share * (1 + speed),
                                           open_force ? open : limits[2]};
     static constexpr std::array<const char*, 3> names = {"place", "rate", "force"};
     for (std::size_t k = 0; k < 3; ++k) {

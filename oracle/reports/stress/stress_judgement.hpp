@@ -30,10 +30,11 @@ struct StressSample {
 
 /// What the errors of a run come from.
 struct StressAccuracy {
-  double tolerance = 0;      ///< of a step's error in ê [clearances], and in its rate over V
+  double tolerance = 0;      ///< of a step's error in ê [clearances]
   double rounding = 0;       ///< of a step [clearances]
   double thinnest_film = 1;  ///< in the run [clearances]
   std::size_t steps = 0;     ///< accepted
+  double rate_share = 1;     ///< over V, what the tolerance of rates refers to; at least 1
   bool no_digit = false;     ///< does its warning say that no digit of velocities and forces is known?
   std::size_t jumps = 0;     ///< steps that met a half film's jump, as its warning says
 };
@@ -59,14 +60,14 @@ struct StressDeviation {
 /// amplifies, further off than that it says too little to go unmarked.
 double expected_error(const StressAccuracy& run, double growth);
 
-/// Compares at the reference's times. A place and a rate may be off by E, the force by E times what a disturbance of
-/// the state does to it there (in a stiff film far more than E); all by ten times what the reference's own two methods
-/// differ by. A run that has warned: force and creep along a wall follow the thickness h of the film to a power of at
-/// most 5/2, so what a place along it is off is a share 5E/2h of the way gone so far, at most all of it, and of a rate
-/// along it as large a share; the force is open once that share is 1. Where the warning says that no digit of rates and
-/// forces is known both are open, and so is the place up to a clearance; it is never more off than that: no more would
-/// be off by saying e = 0 throughout. Where it says that steps met a half film's jump, all steps count, not a thousand
-/// of them, and a force may be that of one side.
+/// Compares at the reference's times. A place may be off by E, a rate by E in what its tolerance refers to, the force
+/// by that times what a disturbance of the state does to it there (in a stiff film far more than E); all by ten times
+/// what the reference's own two methods differ by. A run that has warned: force and creep along a wall follow the
+/// thickness h of the film to a power of at most 5/2, so what a place along it is off is a share 5E/2h of the way gone
+/// so far, at most all of it, and of a rate along it as large a share; the force is open once that share is 1. Where
+/// the warning says that no digit of rates and forces is known both are open, and so is the place up to a clearance; it
+/// is never more off than that: no more would be off by saying e = 0 throughout. Where it says that steps met a half
+/// film's jump, all steps count, not a thousand of them, and a force may be that of one side.
 StressDeviation deviation_of(const std::vector<StressSample>& samples, const StressReference& reference,
                              const StressAccuracy& run);
 

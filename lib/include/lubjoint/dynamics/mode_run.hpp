@@ -143,7 +143,15 @@ class ModeRun {
   bool is_admissible(double t, const State& y) const {
     if (!std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); })) return false;
     const JournalState<double> journal = mode_.journal(t, y);
-    return one_minus_squared_norm(journal[0], journal[1]) > 0;
+    const double left = one_minus_squared_norm(journal[0], journal[1]);
+    if (left > 1e-14) return true;
+    if (!(left > 0)) return false;
+    try {
+      mode_.force(t, y);  // a mode's own ε may round to 1 where that of x and y does not
+    } catch (const std::domain_error&) {
+      return false;
+    }
+    return true;
   }
 
   /// A step that ends without a film or a number is rejected: Odeint itself would accept it.

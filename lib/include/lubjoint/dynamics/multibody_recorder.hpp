@@ -120,7 +120,9 @@ class MultibodyRecorder {
     for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
          t = output_time(++next_)) {
       // The quintic's error in an explicit step of higher order may be a thousand tolerances.
-      if (step->smooth_rates) {
+      if (R(t) == step->t_new) {
+        state_ = step->y_new;
+      } else if (step->is_explicit) {
         by_method(*step, R(t), state_);
       } else {
         step->state_at(R(t), n, state_);

@@ -164,6 +164,7 @@ class MultibodyRun {
     step.t_new = t_;
     step.y_new = y_;
     step.rate_new = rate_;
+    step.is_explicit = !is_implicit();
   }
 
   // Contact.

@@ -13,6 +13,7 @@ namespace lubjoint {
 template <class R>
 struct MultibodyStep : StepInterpolant<std::vector<R>> {
   std::vector<JointMemory<R>> memory;  ///< of the joints during the step
+  bool is_explicit = false;            ///< made without a Jacobian
 };
 
 }  // namespace lubjoint
