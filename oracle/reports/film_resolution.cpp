@@ -7,13 +7,6 @@
 
 namespace lubjoint::reports {
 
-namespace {
-
-/// Below this, steps are bound by rounding and not by the tolerance.
-constexpr double tightest = 1e-13;
-
-}  // namespace
-
 double tolerance_of_places(const Scene& scene) {
   const RunSettings& run = scene.run;
   return is_free_journal(scene) ? std::max(run.relative_tolerance, run.absolute_tolerance) : run.absolute_tolerance;
@@ -53,8 +46,8 @@ std::string resolution_warning(const Scene& scene, const SceneJoint& joint, doub
       "may be off by much more than the tolerance{}. {}",
       tolerance, share, joint.name, thinnest,
       leaves_no_digit(scene, thinnest) ? ", and no digit of velocities and forces is known" : "",
-      needed >= tightest ? fmt::format("Tolerance {:.0e} would resolve it.", needed)
-                         : "No tolerance resolves it in double precision.");
+      needed >= tightest_tolerance ? fmt::format("Tolerance {:.0e} would resolve it.", needed)
+                                   : "No tolerance resolves it in double precision.");
 }
 
 }  // namespace lubjoint::reports

@@ -10,6 +10,8 @@ namespace lubjoint::reports {
 /// A run's tolerance of places may be so large a share of its thinnest film: the force and the rate at which a journal
 /// creeps along the wall follow the thickness, to a power of ½ to 5/2.
 inline constexpr double coarse_share = 1e-3;
+/// Below this, steps are bound by rounding and not by the tolerance.
+inline constexpr double tightest_tolerance = 1e-13;
 /// The film's force follows its thickness to this power at most: the radial force of a short film.
 inline constexpr double film_power = 2.5;
 

@@ -133,14 +133,15 @@ std::string without_commas(std::string text) {
 /// above the motion's.
 StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const StressReference& reference) {
   StressAccuracy accuracy;
-  accuracy.tolerance = tolerance_of_places(scene);
+  accuracy.tolerance = std::max(tolerance_of_places(scene), tightest_tolerance);
   accuracy.rounding = std::numeric_limits<double>::epsilon();
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
   accuracy.jumps = run.jumps;
   if (is_free_journal(scene)) {
-    accuracy.tolerance = std::sqrt(4.0) * (scene.run.relative_tolerance + scene.run.absolute_tolerance);
+    const double both = scene.run.relative_tolerance + scene.run.absolute_tolerance;
+    accuracy.tolerance = std::sqrt(4.0) * std::max(both, tightest_tolerance);
     return accuracy;
   }
   accuracy.tolerance *= std::sqrt(6.0 * static_cast<double>(scene.bodies.size()));

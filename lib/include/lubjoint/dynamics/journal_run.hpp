@@ -176,6 +176,8 @@ class JournalRun {
         if (!std::exchange(started, true)) recorder_.start(mode, t_, y_);
         result = integrate(mode, y_);
         if (result.end != ModeEnd::event) return conclude(mode, result, y_);
+        // So near the wall that on its line of centres the journal is at it, to rounding.
+        if (!(std::abs(on_the_jump().rho) < 1)) return conclude(mode, {ModeEnd::step_too_short, 0}, y_);
         const Phase next = decide_on_the_jump();
         const Phase other = phase == Phase::converging ? Phase::mirrored : Phase::converging;
         phase = next == Phase::sliding ? next : other;
