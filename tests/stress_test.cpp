@@ -116,7 +116,7 @@ TEST_CASE("stress: no cell of the extreme starts, loads and tolerances is wrong,
     CHECK(cell.deviation.compared == 50);
     CHECK((cell.deviation.place && cell.deviation.rate && cell.deviation.force));
   }
-  CHECK(finished > 80);  // of 210: the matrix is not one of stops
+  CHECK(finished > 70);  // a third of 210: the matrix is not one of stops, and each is near in all three
 }
 
 TEST_CASE("stress: statuses by what is known: whole truth table") {
@@ -254,18 +254,23 @@ TEST_CASE("stress: where a step may change the force by a tenth, a warning says 
              Contains("no digit of velocities and forces is known") && Contains("Tolerance 1e-04 would resolve it"));
 }
 
-TEST_CASE("multibody: on a half film's jump a sample has the force of sliding, and the run says that it was there") {
-  // Slow impact in thin oil: the reference slides for most of its time. One side's force is off by 0.4 there.
-  StressSettings settings = small_settings();
-  settings.laws = {"short_half", "long_half_eq5"};
-  settings.integrators = {"dopri5"};
-  settings.most_steps = 50'000;
-  for (const StressCell& cell : run_stress(cases_named({"impact-slow"}), settings)) {
-    INFO(cell.law << ": " << cell.message);
-    CHECK(cell.status != StressStatus::wrong);
-    CHECK(cell.deviation.force.value_or(1) < 5e-3);  // what tolerances of 1e-6 do to a stiff film
-    if (cell.status != StressStatus::stopped) CHECK_THAT(cell.message, Contains("met the jump of the half film"));
+TEST_CASE("multibody: on a half film's jump samples have the force of sliding, and the run says that it was there") {
+  // Slow impact in thin oil: the reference slides for most of its time. One side's force is off by up to 0.4 there.
+  Scene scene = with_law(scene_named("impact-slow"), "long_half_eq5");
+  scene.integrator = "dopri5";
+  const StressReference reference = stored_references().of(scene);
+  REQUIRE(reference.whole());
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  REQUIRE(run.samples.size() == reference.rows.size() + 1);
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < reference.rows.size(); ++i) {
+    const Vector2<double> off = run.samples[i + 1].joints.front().force - reference.rows[i].force;
+    if (off.norm() < 5e-3 * reference.force_unit) ++near;  // what tolerances of 1e-6 do to a stiff film
   }
+  CHECK(near >= 48);  // of 50: a sample in a long step towards the jump may be taken for one on it
+  CHECK_THAT(jump_warning(scene.joints.front(), run.joints.front()), Contains("met the jump of the half film"));
+  const MultibodyTrajectory smooth = simulate_multibody(with_law(scene, "long_full"));
+  CHECK(jump_warning(scene.joints.front(), smooth.joints.front()).empty());
 }
 
 TEST_CASE("stop: a tolerance wider than the blend of a contact names both, and a tolerance that would do") {
