@@ -84,8 +84,8 @@ std::string described_gallery() {
 std::string gallery_markdown() {
   std::string text =
       "# What people get wrong, and how it shows\n\n"
-      "Written by `lubjoint verify --list-mistakes --markdown`. `lubjoint verify` recognises each of these, and pairs "
-      "of\nthem, in the answers of a program. Symbols: ε eccentricity ratio, a = ε(ω − 2γ̇) slip rate, b = ε̇ squeeze "
+      "Written by `lubjoint verify --list-mistakes --markdown`. `lubjoint verify` recognises each of these, and sets "
+      "of\nup to three, in the answers of a program. Symbols: ε eccentricity ratio, a = ε(ω − 2γ̇) slip rate, b = ε̇ squeeze "
       "rate,\nr and t the radial and tangential directions, θ from the maximum film.\n\n"
       "| name | mistake | how it shows |\n|---|---|---|\n";
   for (const Mistake& mistake : gallery()) {
