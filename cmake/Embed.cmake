@@ -9,7 +9,7 @@ file(WRITE "${OUTPUT}" "// Made by cmake/Embed.cmake.
 #include <stdexcept>
 #include <string>
 
-#include \"oracle/reports/page/resources.hpp\"
+#include \"oracle/page/resources.hpp\"
 
 namespace lubjoint::reports::page {
 

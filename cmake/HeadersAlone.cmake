@@ -2,7 +2,7 @@
 # two minutes of processor time. Sources show it of their own header in every build: they include it first.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
   ${PROJECT_SOURCE_DIR}/lib/include/*.hpp ${PROJECT_SOURCE_DIR}/oracle/*.hpp)
-set(parts lubjoint::lubjoint lubjoint::scene lubjoint::reports lubjoint::verify CLI11::CLI11)
+set(parts lubjoint::lubjoint lubjoint::scene lubjoint::page lubjoint::measure lubjoint::sweep lubjoint::verify CLI11::CLI11)
 foreach(part proofs certified)
   if(TARGET lubjoint_${part})
     list(APPEND parts lubjoint::${part})
@@ -13,7 +13,7 @@ endforeach()
 if(LUBJOINT_CERTIFIED)
   list(APPEND parts lubjoint_quadmath)
 else()
-  list(FILTER headers EXCLUDE REGEX "^oracle/reports/trajectories/")
+  list(FILTER headers EXCLUDE REGEX "^oracle/trajectories/(golden|journal|multibody)_")
 endif()
 if(NOT LUBJOINT_SUNDIALS)
   list(FILTER headers EXCLUDE REGEX "/half_size_solver\\.hpp$")

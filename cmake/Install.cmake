@@ -37,7 +37,7 @@ install(FILES ${PROJECT_BINARY_DIR}/lubjointConfig.cmake ${PROJECT_BINARY_DIR}/l
 
 if(TARGET lubjoint_cli)
   install(TARGETS lubjoint_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
-  # Beside the program, ../share/lubjoint: it looks there (oracle/reports/data_folder.hpp).
+  # Beside the program, ../share/lubjoint: it looks there (oracle/files/data_folder.hpp).
   install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lubjoint COMPONENT tool PATTERN figures EXCLUDE)
   install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 endif()

@@ -38,6 +38,19 @@ function(lubjoint_precompiled target)
   endif()
 endfunction()
 
+# lubjoint_report(TARGET): lightly optimised, and with one precompiled header for all of them.
+function(lubjoint_report target)
+  lubjoint_lightly_optimised(${target})
+  if(TARGET lubjoint_plot AND NOT target STREQUAL lubjoint_plot)
+    target_precompile_headers(${target} REUSE_FROM lubjoint_plot)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+      target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+    endif()
+  else()
+    lubjoint_precompiled(${target} <Eigen/Dense> <fmt/format.h> <nlohmann/json.hpp>)
+  endif()
+endfunction()
+
 # Odeint 1.74 copies steppers whose work arrays are not yet filled, and GCC sees it in these sources.
 function(lubjoint_copies_steppers)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

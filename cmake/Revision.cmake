@@ -10,7 +10,7 @@ if(Git_FOUND)
   endif()
 endif()
 file(WRITE "${OUTPUT}" "// Made by cmake/Revision.cmake.
-#include \"oracle/reports/page/resources.hpp\"
+#include \"oracle/page/resources.hpp\"
 
 namespace lubjoint::reports::page {
 

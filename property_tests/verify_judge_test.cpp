@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "oracle/verify/conditioning.hpp"
+#include "oracle/verify/states/conditioning.hpp"
 #include "oracle/verify/verification.hpp"
 #include "support/golden.hpp"
 

@@ -12,8 +12,8 @@
 #include "oracle/certified/golden_states.hpp"
 #include "oracle/certified/golden_table.hpp"
 #include "oracle/certified/overlap.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/published_forms.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/laws/published_forms.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::certified;

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "lubjoint/film/law_list.hpp"
-#include "oracle/reports/quoted_csv.hpp"
+#include "oracle/files/quoted_csv.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "oracle/reports/stability_map.hpp"
+#include "oracle/results/stability_map.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 

@@ -1,4 +1,4 @@
-#include "lubjoint/film/dual.hpp"
+#include "lubjoint/number/dual.hpp"
 
 #include <catch2/catch.hpp>
 #include <unsupported/Eigen/AutoDiff>

@@ -1,12 +1,12 @@
 // Who wins a race, and what is said of it: from invented rows, and from those that ship.
-#include "oracle/reports/bench/equal_error.hpp"
+#include "oracle/measure/bench/equal_error.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "oracle/reports/bench/bench_manifest.hpp"
-#include "oracle/reports/bench/bench_tables.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/golden_files.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/golden_files.hpp"
+#include "oracle/measure/bench/bench_manifest.hpp"
+#include "oracle/measure/bench/bench_tables.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 

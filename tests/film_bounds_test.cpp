@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "lubjoint/film/dual.hpp"
 #include "lubjoint/film/extent.hpp"
+#include "lubjoint/number/dual.hpp"
 
 using namespace lubjoint;
 

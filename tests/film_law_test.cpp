@@ -3,8 +3,8 @@
 #include <string>
 
 #include "lubjoint/film/pressure.hpp"
-#include "oracle/reports/accuracy.hpp"
-#include "oracle/reports/published_forms.hpp"
+#include "oracle/laws/accuracy.hpp"
+#include "oracle/laws/published_forms.hpp"
 #include "support/film_reference.hpp"
 
 using namespace lubjoint;

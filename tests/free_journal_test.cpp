@@ -7,7 +7,7 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/reports/trajectories/free_journal_scene.hpp"
+#include "oracle/trajectories/free_journal_scene.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::mechanisms;

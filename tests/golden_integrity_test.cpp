@@ -6,7 +6,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "oracle/reports/golden_files.hpp"
+#include "oracle/files/golden_files.hpp"
 #include "support/golden.hpp"
 
 using namespace lubjoint;

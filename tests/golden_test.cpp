@@ -9,7 +9,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/film/pressure.hpp"
 #include "lubjoint/joint/wrench.hpp"
-#include "oracle/reports/published_forms.hpp"
+#include "oracle/laws/published_forms.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 
 using namespace lubjoint;

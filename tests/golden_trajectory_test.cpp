@@ -11,12 +11,12 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/golden_files.hpp"
 #include "oracle/mechanisms/slider_crank.hpp"
-#include "oracle/reports/bench/extended_run.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/slider_crank_scene.hpp"
+#include "oracle/trajectories/extended_run.hpp"
+#include "oracle/trajectories/slider_crank_scene.hpp"
 
 using namespace lubjoint;
 

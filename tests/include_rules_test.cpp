@@ -34,7 +34,7 @@ TEST_CASE("the include scanner reads every way to write an include, and no comme
       "#include <vector>\r\n"
       "const char* s = \"#include\";\n";
   const std::vector<std::string> expected = {"lubjoint/film/law.hpp", "lubjoint/film/extent.hpp",
-                                             "oracle/reynolds/sibling.hpp", "oracle/verify/gallery.hpp"};
+                                             "oracle/reynolds/sibling.hpp", "oracle/verify/gallery/gallery.hpp"};
   CHECK(project_includes("oracle/reynolds/a.cpp", text) == expected);
 }
 
@@ -44,13 +44,13 @@ TEST_CASE("the include scanner finds a force law in an oracle, also behind anoth
     const auto direct = violations_in({{"oracle/" + folder + "/a.hpp", "#include \"lubjoint/film/long_half.hpp\"\n"}});
     REQUIRE(direct.size() == 1);
     CHECK_THAT(direct[0], Contains(folder) && Contains("includes lubjoint/film/long_half.hpp"));
-    const auto hidden = violations_in({{"oracle/" + folder + "/a.cpp", "#include \"oracle/reports/map.hpp\"\n"},
-                                       {"oracle/reports/map.hpp", "#include \"lubjoint/film/law_list.hpp\"\n"}});
+    const auto hidden = violations_in({{"oracle/" + folder + "/a.cpp", "#include \"oracle/laws/map.hpp\"\n"},
+                                       {"oracle/laws/map.hpp", "#include \"lubjoint/film/law_list.hpp\"\n"}});
     REQUIRE(hidden.size() == 1);
     CHECK_THAT(hidden[0], Contains("through other headers"));
   }
   CHECK(violations_in({{"oracle/reynolds/a.hpp", "#include \"lubjoint/film/pressure.hpp\"\n"}}).empty());
-  CHECK(violations_in({{"oracle/reports/a.hpp", "#include \"lubjoint/film/law.hpp\"\n"}}).empty());
+  CHECK(violations_in({{"oracle/laws/a.hpp", "#include \"lubjoint/film/law.hpp\"\n"}}).empty());
 }
 
 TEST_CASE("the include scanner finds arrows that run the wrong way") {
@@ -59,13 +59,21 @@ TEST_CASE("the include scanner finds arrows that run the wrong way") {
   };
   CHECK(count("lubjoint/film/a.hpp", "lubjoint/joint/b.hpp") == 1);
   CHECK(count("lubjoint/joint/a.hpp", "lubjoint/multibody/b.hpp") == 1);
-  CHECK(count("lubjoint/multibody/a.hpp", "lubjoint/dynamics/b.hpp") == 1);
-  CHECK(count("lubjoint/dynamics/a.hpp", "lubjoint/scene/b.hpp") == 1);
+  CHECK(count("lubjoint/number/a.hpp", "lubjoint/film/b.hpp") == 1);
+  CHECK(count("lubjoint/multibody/a.hpp", "lubjoint/motion/b.hpp") == 1);
+  CHECK(count("lubjoint/motion/a.hpp", "lubjoint/scene/b.hpp") == 1);
+  CHECK(count("lubjoint/ode/a.hpp", "lubjoint/film/b.hpp") == 1);
+  CHECK(count("lubjoint/ode/a.hpp", "lubjoint/number/b.hpp") == 0);
+  CHECK(count("oracle/files/a.hpp", "lubjoint/number/b.hpp") == 1);
+  CHECK(count("oracle/verify/states/a.hpp", "oracle/files/b.hpp") == 0);
+  CHECK(count("oracle/verify/states/a.hpp", "oracle/results/b.hpp") == 1);
+  CHECK(count("oracle/certified/a.hpp", "oracle/plot/b.hpp") == 1);
+  CHECK(count("oracle/results/a.hpp", "oracle/measure/bench/b.hpp") == 1);
   CHECK(count("lubjoint/scene/a.hpp", "oracle/verify/b.hpp") == 1);
   CHECK(count("oracle/verify/a.hpp", "oracle/cli/b.hpp") == 1);
   CHECK(count("oracle/mechanisms/a.hpp", "lubjoint/joint/b.hpp") == 1);
-  CHECK(count("oracle/mechanisms/a.hpp", "lubjoint/dynamics/b.hpp") == 1);
+  CHECK(count("oracle/mechanisms/a.hpp", "lubjoint/motion/b.hpp") == 1);
   CHECK(count("oracle/mechanisms/a.hpp", "lubjoint/film/law.hpp") == 0);
   CHECK(count("lubjoint/joint/a.hpp", "lubjoint/film/law.hpp") == 0);
-  CHECK(count("oracle/cli/a.cpp", "oracle/reports/b.hpp") == 0);
+  CHECK(count("oracle/cli/a.cpp", "oracle/page/b.hpp") == 0);
 }

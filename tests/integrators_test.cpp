@@ -1,10 +1,10 @@
-#include "lubjoint/dynamics/integrators.hpp"
+#include "lubjoint/ode/integrators.hpp"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/integrate/integrate_const.hpp>
 #include <catch2/catch.hpp>
 
-#include "lubjoint/dynamics/radau_iia5_dense.hpp"
+#include "lubjoint/ode/radau_iia5_dense.hpp"
 #include "support/initial_value_problems.hpp"
 
 using namespace lubjoint;
@@ -112,8 +112,8 @@ TEST_CASE("Integrators: observed order of every method of fixed order, autonomou
     CHECK(autonomous < each.order + 1.5);
     CHECK(driven < each.order + 1.5);
   }
-  // Radau's stages need a tolerance: its order is seen along a series of them, from some twenty steps on. The step control
-  // scatters the error by a factor of 2 either way: 0.6 of an order over five decades of tolerance.
+  // Radau's stages need a tolerance: its order is seen along a series of them, from some twenty steps on. The step
+  // control scatters the error by a factor of 2 either way: 0.6 of an order over five decades of tolerance.
   for (const double observed :
        {order_of<Logistic<double>>("radau_iia5", 1e-7, 1e-12), order_of<Driven<double>>("radau_iia5", 1e-7, 1e-12)}) {
     CHECK(observed > 4.4);

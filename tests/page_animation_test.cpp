@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/joint/kinematics.hpp"
-#include "oracle/reports/page/sections.hpp"
+#include "oracle/page/sections.hpp"
 #include "support/page_content.hpp"
 
 using namespace lubjoint;

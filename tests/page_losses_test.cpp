@@ -5,9 +5,9 @@
 #include <regex>
 
 #include "lubjoint/film/rotor_modes.hpp"
-#include "oracle/reports/coefficient_table.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/page/sections.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/page/sections.hpp"
+#include "oracle/results/coefficient_table.hpp"
 #include "oracle/reynolds/film_losses.hpp"
 #include "support/page_content.hpp"
 

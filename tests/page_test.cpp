@@ -5,9 +5,9 @@
 #include <regex>
 #include <set>
 
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/page/html.hpp"
-#include "oracle/reports/page/panel.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/page/html.hpp"
+#include "oracle/page/panel.hpp"
 #include "support/page_content.hpp"
 
 using namespace lubjoint;
@@ -223,6 +223,10 @@ TEST_CASE("report: run times and stability are carried as they were given") {
   const auto stopped = std::count_if(content.stability->rows.begin(), content.stability->rows.end(),
                                      [](const auto& row) { return row.status == page::RowStatus::stopped; });
   CHECK(count(stability, "<td class=\"level-stop\"") == static_cast<std::size_t>(stopped));
+  const auto unreferenced = std::count_if(content.stability->rows.begin(), content.stability->rows.end(),
+                                          [](const auto& r) { return r.status == page::RowStatus::unreferenced; });
+  CHECK(count(stability, "title=\"finished, without a reference") == static_cast<std::size_t>(unreferenced));
+  CHECK_THAT(stability, Contains("Measured by 0.0.0 invented, not by this program"));
   CHECK(count(stability, "title=\"finished") + count(stability, "title=\"stopped") == content.stability->rows.size());
 }
 
@@ -253,7 +257,7 @@ TEST_CASE("report: text of others is text, not HTML") {
   content.journal.laws[0].verdict.checks[0] = reports::Check::holds("runs", hostile, false, hostile, hostile);
   content.provenance.machine.emplace_back("name " + hostile, hostile);
   std::string csv = content.stability->csv;
-  csv += "case " + hostile + ",l,i,stopped,,1,1,<!-- " + hostile + "\n";
+  csv += "case " + hostile + ",l,i,stopped,,,,,0,1,1,1.0 abc,<!-- " + hostile + "\n";
   content.stability = page::read_stability(csv, "stress.csv");
   const std::string html = page_of(content);
   CHECK(count(html, "<script>alert") == 0);
@@ -285,10 +289,19 @@ TEST_CASE("report: tables of others are refused with file, line and what is allo
   CHECK_THAT(refused(head + "s,f,i,1e-6,,1,1,0,1,0,0,finished,\n"), Contains("error is \"\"; allowed"));
   CHECK(refused(head + "s,f,i,1e-6,,,1,0,1,,,stopped,gave up\n") == "taken");
   CHECK_THAT(refused(head + ",f,i,1e-6,1,1,1,0,1,0,0,finished,\n"), Contains("scene is empty; allowed"));
-  const std::string stress = "case,law,integrator,status,error,seconds,steps,message\n";
-  const std::string row = "c,l,i,finished,1e-9,1,1,\n";
-  CHECK(page::read_stability(stress + "c,l,i,coarse,0.1,1,1,warned\n", "t").rows[0].status == page::RowStatus::coarse);
-  CHECK(page::read_stability(stress + "c,l,i,wrong,,1,1,off\n", "t").rows[0].status == page::RowStatus::wrong);
+  const std::string stress = "case,law,integrator,status,error,rate_error,force_error,seconds,steps,program,message\n";
+  const std::string row = "c,l,i,finished,1e-9,1e-9,1e-8,1,1,1.0 abc,\n";
+  const auto status = [&](const std::string& line) {
+    return page::read_stability(stress + line + "\n", "t").rows[0].status;
+  };
+  CHECK(status("c,l,i,coarse,0.1,0.1,0.2,1,1,1.0 abc,warned") == page::RowStatus::coarse);
+  CHECK(status("c,l,i,unreferenced,,,,1,1,1.0 abc,no reference") == page::RowStatus::unreferenced);
+  CHECK(status("c,l,i,wrong,,,,1,1,1.0 abc,off") == page::RowStatus::wrong);
+  // "finished" without all three comparisons would say more than was checked.
+  for (const char* unchecked : {"c,l,i,finished,,,,1,1,1.0 abc,", "c,l,i,finished,1e-9,,1e-8,1,1,1.0 abc,",
+                                "c,l,i,finished,1e-9,1e-9,,1,1,1.0 abc,"}) {
+    CHECK_THROWS_WITH(status(unchecked), Contains("allowed without them is \"unreferenced\""));
+  }
   CHECK(page::read_stability(stress + row, "stress.csv").rows.size() == 1);
   CHECK_THROWS_WITH(page::read_stability(stress + row + row, "stress.csv"), Contains("stress.csv:3"));
 }

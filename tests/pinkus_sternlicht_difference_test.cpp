@@ -1,4 +1,4 @@
-#include "oracle/reports/pinkus_sternlicht_difference.hpp"
+#include "oracle/laws/pinkus_sternlicht_difference.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lubjoint/dynamics/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia5.hpp"
 #include "support/initial_value_problems.hpp"
 
 using namespace lubjoint;

@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "lubjoint/dynamics/journal_recorder.hpp"
-#include "lubjoint/dynamics/multibody_recorder.hpp"
+#include "lubjoint/motion/journal_recorder.hpp"
+#include "lubjoint/motion/multibody_recorder.hpp"
 
 using namespace lubjoint;
 

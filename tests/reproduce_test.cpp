@@ -4,10 +4,10 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/scene_file.hpp"
-#include "oracle/reports/example_1.hpp"
-#include "oracle/reports/journal_checks.hpp"
-#include "oracle/reports/law_check.hpp"
-#include "oracle/reports/slider_crank_checks.hpp"
+#include "oracle/laws/law_check.hpp"
+#include "oracle/paper/example_1.hpp"
+#include "oracle/paper/journal_checks.hpp"
+#include "oracle/paper/slider_crank_checks.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::reports;

@@ -1,14 +1,14 @@
-#include "oracle/reports/bench/scene_bench.hpp"
+#include "oracle/measure/bench/scene_bench.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "lubjoint/scene/scene_file.hpp"
-#include "oracle/reports/bench/equal_error.hpp"
-#include "oracle/reports/bench/golden_reference.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/kept_rows.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/golden_files.hpp"
+#include "oracle/files/kept_rows.hpp"
+#include "oracle/measure/bench/equal_error.hpp"
+#include "oracle/measure/bench/golden_reference.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lubjoint;

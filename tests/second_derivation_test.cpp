@@ -1,5 +1,5 @@
 // Every golden trajectory against a derivation of its own, row by row and column by column.
-#include "oracle/reports/trajectories/second_derivation.hpp"
+#include "oracle/trajectories/second_derivation.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -13,8 +13,8 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
 
 using namespace lubjoint;
 

@@ -10,8 +10,8 @@
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/reports/journal_report.hpp"
-#include "oracle/reports/multibody_report.hpp"
+#include "oracle/results/journal_report.hpp"
+#include "oracle/results/multibody_report.hpp"
 #include "support/csv.hpp"
 #include "support/scene_text.hpp"
 

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "lubjoint/scene/scene_file.hpp"
-#include "oracle/reports/bench/golden_reference.hpp"
-#include "oracle/reports/bench/simbody_case.hpp"
+#include "oracle/measure/bench/golden_reference.hpp"
+#include "oracle/measure/bench/simbody_case.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::reports;

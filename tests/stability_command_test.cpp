@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "oracle/reports/coefficient_table.hpp"
-#include "oracle/reports/stability_map.hpp"
+#include "oracle/results/coefficient_table.hpp"
+#include "oracle/results/stability_map.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "lubjoint/scene/scene_file.hpp"
-#include "oracle/reports/bench/half_size_solver.hpp"
-#include "oracle/reports/bench/sundials_method.hpp"
+#include "oracle/measure/bench/half_size_solver.hpp"
+#include "oracle/measure/bench/sundials_method.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::reports;

@@ -1,10 +1,10 @@
 // Grids of values, and the scenes that they stand for.
-#include "oracle/reports/sweep_grid.hpp"
+#include "oracle/sweep/sweep_grid.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "oracle/reports/quoted_csv.hpp"
+#include "oracle/files/quoted_csv.hpp"
 #include "support/scene_text.hpp"
 
 using namespace lubjoint;
@@ -48,7 +48,8 @@ TEST_CASE("sweep: equal ratios have exact ends, and decades are decades") {
   CHECK(values.front() == 0.04);
   CHECK(values.back() == 0.4);
   for (std::size_t i = 1; i < values.size(); ++i) {
-    CHECK(std::abs(values[i] / values[i - 1] / std::pow(10, 1.0 / 7) - 1) < 1e-14);  // two values of 15 digits, 5e-15 each
+    CHECK(std::abs(values[i] / values[i - 1] / std::pow(10, 1.0 / 7) - 1) <
+          1e-14);  // two values of 15 digits, 5e-15 each
   }
 }
 

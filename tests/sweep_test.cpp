@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/quoted_csv.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/quoted_csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 

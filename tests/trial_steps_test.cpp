@@ -2,8 +2,8 @@
 #include <functional>
 
 #include "lib/src/multibody_simulation.hpp"
-#include "lubjoint/dynamics/integrators.hpp"
-#include "lubjoint/dynamics/multibody_run.hpp"
+#include "lubjoint/motion/multibody_run.hpp"
+#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "support/scenes.hpp"

@@ -12,7 +12,7 @@
 #include <catch2/catch.hpp>
 #include <future>
 
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 

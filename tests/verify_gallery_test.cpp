@@ -2,7 +2,7 @@
 #include <random>
 #include <set>
 
-#include "oracle/verify/single_precision.hpp"
+#include "oracle/verify/states/single_precision.hpp"
 #include "support/verify_answers.hpp"
 
 using namespace lubjoint;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "oracle/verify/golden_states.hpp"
+#include "oracle/verify/states/golden_states.hpp"
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 

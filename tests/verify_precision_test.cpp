@@ -1,8 +1,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <catch2/catch.hpp>
 
-#include "oracle/reports/published_forms.hpp"
-#include "oracle/verify/single_precision.hpp"
+#include "oracle/laws/published_forms.hpp"
+#include "oracle/verify/states/single_precision.hpp"
 #include "support/verify_answers.hpp"
 
 using namespace lubjoint;
@@ -83,7 +83,7 @@ TEST_CASE("verify: a correct program passes in double, in single, and printed wi
         return static_cast<double>(v.judgement.undecided) / static_cast<double>(v.judgement.judged());
       };
       CHECK(check(in_double, "double precision") <= 0.02);  // the wall's last decades
-      CHECK(check(in_single, "single precision") <= 0.3);   // 1 - e/c below 1e-3 and cancelling terms: a quarter at most
+      CHECK(check(in_single, "single precision") <= 0.3);  // 1 - e/c below 1e-3 and cancelling terms: a quarter at most
       check(through_text(quantities, in_double, "{:.17g}"), "double precision");
       check(through_text(quantities, in_double, "{}"), "double precision");
       check(through_text(quantities, in_double, "{:.7g}"), "double precision, 7 digits");

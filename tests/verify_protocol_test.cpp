@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "oracle/verify/foreign_program.hpp"
+#include "oracle/verify/states/foreign_program.hpp"
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "oracle/verify/trajectory.hpp"
+#include "oracle/verify/trajectory/trajectory.hpp"
 #include "support/run_program.hpp"
 
 using namespace lubjoint;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "oracle/verify/factor.hpp"
+#include "oracle/verify/terms/factor.hpp"
 #include "support/verify_answers.hpp"
 
 using namespace lubjoint;

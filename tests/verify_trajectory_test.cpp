@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "oracle/verify/answers.hpp"
-#include "oracle/verify/deviation.hpp"
+#include "oracle/verify/states/answers.hpp"
+#include "oracle/verify/trajectory/deviation.hpp"
 
 using namespace lubjoint::verify;
 using Catch::Contains;

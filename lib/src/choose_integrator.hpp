@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "lubjoint/dynamics/outcome.hpp"
+#include "lubjoint/motion/outcome.hpp"
 
 namespace lubjoint::detail {
 

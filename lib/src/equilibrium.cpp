@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "lubjoint/dynamics/exact_jacobian.hpp"
 #include "lubjoint/film/steady_place.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 

@@ -1,10 +1,10 @@
-#include "lubjoint/dynamics/integrators.hpp"
+#include "lubjoint/ode/integrators.hpp"
 
 #include <stdexcept>
 
-#include "lubjoint/dynamics/explicit_integrators.hpp"
-#include "lubjoint/dynamics/odeint_integrators.hpp"
-#include "lubjoint/dynamics/radau_integrator.hpp"
+#include "lubjoint/ode/explicit_integrators.hpp"
+#include "lubjoint/ode/odeint_integrators.hpp"
+#include "lubjoint/ode/radau_integrator.hpp"
 #include "rosenbrock4_integrator.hpp"
 
 namespace lubjoint {

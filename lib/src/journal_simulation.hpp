@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "choose_integrator.hpp"
-#include "lubjoint/dynamics/journal_run.hpp"
+#include "lubjoint/motion/journal_run.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "choose_integrator.hpp"
-#include "lubjoint/dynamics/integrators.hpp"
-#include "lubjoint/dynamics/multibody_run.hpp"
+#include "lubjoint/motion/multibody_run.hpp"
+#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
 

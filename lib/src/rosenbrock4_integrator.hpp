@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lubjoint/dynamics/scaled_system.hpp"
+#include "lubjoint/ode/scaled_system.hpp"
 #include "rosenbrock4.hpp"
 
 namespace lubjoint::detail {

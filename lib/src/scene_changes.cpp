@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lubjoint/scene/nearest_name.hpp"
+#include "lubjoint/text/nearest_name.hpp"
 
 namespace lubjoint {
 

@@ -8,11 +8,11 @@
 #include <sstream>
 #include <string_view>
 
-#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/film/losses.hpp"
-#include "lubjoint/scene/nearest_name.hpp"
-#include "lubjoint/scene/printable.hpp"
+#include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/text/nearest_name.hpp"
+#include "lubjoint/text/printable.hpp"
 #include "scene_changes.hpp"
 #include "scene_parts.hpp"
 

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <utility>
 
-#include "lubjoint/scene/nearest_name.hpp"
-#include "lubjoint/scene/printable.hpp"
 #include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/text/nearest_name.hpp"
+#include "lubjoint/text/printable.hpp"
 
 namespace lubjoint {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lubjoint/film/vector.hpp"
+#include "lubjoint/number/vector.hpp"
 
 namespace lubjoint {
 

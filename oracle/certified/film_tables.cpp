@@ -5,7 +5,7 @@
 #include "oracle/certified/golden_states.hpp"
 #include "oracle/certified/golden_table.hpp"
 #include "oracle/certified/overlap.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::certified {
 

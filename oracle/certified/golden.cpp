@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "oracle/certified/golden_table.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::certified {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "oracle/reports/golden_files.hpp"
+#include "oracle/files/golden_files.hpp"
 
 namespace lubjoint::certified {
 

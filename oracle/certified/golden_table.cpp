@@ -1,6 +1,6 @@
 #include "oracle/certified/golden_table.hpp"
 
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::certified {
 

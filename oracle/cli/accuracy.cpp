@@ -1,4 +1,4 @@
-#include "oracle/reports/accuracy.hpp"
+#include "oracle/laws/accuracy.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
 

@@ -7,14 +7,14 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/reports/bench/bench_manifest.hpp"
-#include "oracle/reports/bench/bench_tables.hpp"
-#include "oracle/reports/bench/law_bench.hpp"
-#include "oracle/reports/bench/scene_bench.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/kept_rows.hpp"
-#include "oracle/reports/page/provenance.hpp"
-#include "oracle/reports/quadrature_bench.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/kept_rows.hpp"
+#include "oracle/measure/bench/bench_manifest.hpp"
+#include "oracle/measure/bench/bench_tables.hpp"
+#include "oracle/measure/bench/law_bench.hpp"
+#include "oracle/measure/bench/scene_bench.hpp"
+#include "oracle/measure/quadrature_bench.hpp"
+#include "oracle/page/provenance.hpp"
 
 namespace lubjoint::cli {
 

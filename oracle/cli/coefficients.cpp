@@ -7,10 +7,10 @@
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/reports/coefficient_table.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/sweep_grid.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/results/coefficient_table.hpp"
+#include "oracle/sweep/sweep_grid.hpp"
 
 namespace lubjoint::cli {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "lubjoint/version.hpp"
-#include "oracle/reports/data_folder.hpp"
+#include "oracle/files/data_folder.hpp"
 
 namespace lubjoint::cli {
 

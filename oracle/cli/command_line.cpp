@@ -1,7 +1,7 @@
 #include "oracle/cli/command_line.hpp"
 
-#include "lubjoint/scene/nearest_name.hpp"
-#include "lubjoint/scene/printable.hpp"
+#include "lubjoint/text/nearest_name.hpp"
+#include "lubjoint/text/printable.hpp"
 
 namespace lubjoint::cli {
 

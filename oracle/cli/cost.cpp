@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/reports/chain_cost.hpp"
-#include "oracle/reports/scene_cost.hpp"
+#include "oracle/measure/chain_cost.hpp"
+#include "oracle/measure/scene_cost.hpp"
 
 namespace lubjoint::cli {
 

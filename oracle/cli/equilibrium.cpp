@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/reports/coefficient_table.hpp"
-#include "oracle/reports/journal_report.hpp"
+#include "oracle/results/coefficient_table.hpp"
+#include "oracle/results/journal_report.hpp"
 
 namespace lubjoint::cli {
 

@@ -4,7 +4,7 @@
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/cli/state_rows.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
 

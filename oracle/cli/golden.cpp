@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/progress.hpp"
-#include "oracle/reports/trajectories/golden_trajectories.hpp"
+#include "oracle/files/golden_files.hpp"
+#include "oracle/files/progress.hpp"
+#include "oracle/trajectories/golden_trajectories.hpp"
 
 namespace lubjoint::cli {
 

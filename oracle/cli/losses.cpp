@@ -3,8 +3,8 @@
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/losses_table.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/results/losses_table.hpp"
 
 namespace lubjoint::cli {
 

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "oracle/cli/command_line.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 int main(int argc, char** argv) {
   lubjoint::reports::remove_temporary_files_on_interrupt();

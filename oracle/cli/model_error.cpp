@@ -1,4 +1,4 @@
-#include "oracle/reports/model_error.hpp"
+#include "oracle/laws/model_error.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -6,7 +6,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lubjoint/scene/nearest_name.hpp"
+#include "lubjoint/text/nearest_name.hpp"
 
 namespace lubjoint::cli {
 

@@ -6,9 +6,9 @@
 #include "lubjoint/film/extent.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/state_rows.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/pinkus_sternlicht_report.hpp"
-#include "oracle/reports/pressure_report.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/laws/pinkus_sternlicht_report.hpp"
+#include "oracle/results/pressure_report.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 

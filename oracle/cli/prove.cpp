@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/progress.hpp"
+#include "oracle/files/progress.hpp"
 
 namespace lubjoint::cli {
 

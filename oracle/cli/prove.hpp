@@ -3,8 +3,8 @@
 
 #include <iosfwd>
 
+#include "oracle/page/page.hpp"
 #include "oracle/proofs/ledger.hpp"
-#include "oracle/reports/page/page.hpp"
 
 namespace lubjoint::cli {
 

@@ -4,10 +4,10 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/reports/bench/bench_manifest.hpp"
-#include "oracle/reports/data_folder.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/page/page.hpp"
+#include "oracle/files/data_folder.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/measure/bench/bench_manifest.hpp"
+#include "oracle/page/page.hpp"
 #ifdef LUBJOINT_HAS_PROOFS
 #include "oracle/cli/prove.hpp"
 #endif

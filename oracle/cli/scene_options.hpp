@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
@@ -21,7 +21,9 @@ struct SceneOptions {
   void add_file(CLI::App& command) { command.add_option("scene", file, "Scene file (TOML)")->required(); }
   void add_law(CLI::App& command) { command.add_option("--law", law, "Film law in place of the scene's"); }
   void add_run(CLI::App& command) {
-    command.add_option("--integrator", integrator, "radau_iia5, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer,\nadams_bashforth_moulton, or auto");
+    command.add_option(
+        "--integrator", integrator,
+        "radau_iia5, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer,\nadams_bashforth_moulton, or auto");
     command.add_option("--rtol", rtol, "Relative tolerance; also the absolute one, in clearances");
     command.add_option("--duration", duration, "Time to simulate [s]");
   }

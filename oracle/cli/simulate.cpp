@@ -3,11 +3,11 @@
 
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/film_resolution.hpp"
-#include "oracle/reports/journal_report.hpp"
-#include "oracle/reports/model_error.hpp"
-#include "oracle/reports/multibody_report.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/laws/model_error.hpp"
+#include "oracle/results/film_resolution.hpp"
+#include "oracle/results/journal_report.hpp"
+#include "oracle/results/multibody_report.hpp"
 
 namespace lubjoint::cli {
 
@@ -66,6 +66,8 @@ void add_simulate(CLI::App& app, Action& action) {
       for (std::size_t j = 0; j < scene.joints.size(); ++j) {
         warn(scene, scene.joints[j], reports::thinnest_film(scene, j, run),
              reports::visited_model_error(scene, j, run));
+        const std::string across = reports::jump_warning(scene.joints[j], run.joints[j]);
+        if (!across.empty()) std::cerr << across << '\n';
       }
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };

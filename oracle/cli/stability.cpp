@@ -9,9 +9,9 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/stability_map.hpp"
-#include "oracle/reports/sweep_grid.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/results/stability_map.hpp"
+#include "oracle/sweep/sweep_grid.hpp"
 
 namespace lubjoint::cli {
 

@@ -1,15 +1,16 @@
-#include "oracle/reports/stress/stress.hpp"
+#include "oracle/measure/stress/stress.hpp"
 
 #include <algorithm>
 #include <iostream>
 
-#include "lubjoint/dynamics/integrators.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/ode/integrators.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/kept_rows.hpp"
-#include "oracle/reports/stress/stress_report.hpp"
+#include "oracle/files/data_folder.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/kept_rows.hpp"
+#include "oracle/measure/stress/stress_report.hpp"
 
 namespace lubjoint::cli {
 
@@ -18,6 +19,8 @@ namespace {
 struct StressOptions {
   std::string scenes = scenes_folder();
   std::optional<std::string> out;
+  std::optional<std::string> references;
+  std::string against = (reports::data_folder() / "measured").string();
   std::vector<std::string> cases, laws, integrators;
   unsigned jobs = 0;
   bool quick = false;
@@ -44,6 +47,7 @@ reports::StressSettings settings_of(const StressOptions& options) {
   for (const std::string& name : options.integrators) require_name("--integrator", name, integrator_names);
   if (!options.laws.empty()) settings.laws = options.laws;
   if (!options.integrators.empty()) settings.integrators = options.integrators;
+  settings.references = reports::StressReferences::read(options.against);
   if (options.jobs) settings.threads = options.jobs;
   if (options.out) settings.resume_file = std::filesystem::path(*options.out) / "stress.part";
   return settings;
@@ -57,6 +61,13 @@ void add_stress(CLI::App& app, Action& action) {
       app.add_subcommand("stress", "Numerical stability: extreme cases x laws x integrators; exit 1 if any is wrong");
   command->add_option("--out", options->out,
                       "Folder for stress.csv and the heat map; a run that was interrupted goes on from what is there");
+  CLI::Option* references = command->add_option(
+      "--references", options->references,
+      "Makes the reference motions that this folder does not have yet, in extended precision, and runs nothing");
+  command
+      ->add_option("--against", options->against,
+                   "Folder with the reference motions that runs are compared with (data/measured)")
+      ->excludes(references);
   command->add_flag("--quick", options->quick, "Two laws and few steps: less than a minute");
   command->add_option("--case", options->cases, "These cases alone");
   command->add_option("--law", options->laws, "These laws alone");
@@ -66,6 +77,15 @@ void add_stress(CLI::App& app, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       const std::vector<reports::StressCase> cases = wanted_cases(*options);
+      if (options->references) {
+        const reports::StressSettings all = reports::stress_settings(options->quick);
+        reports::prepare_folder(*options->references);
+        reports::make_stress_references(cases, options->laws.empty() ? all.laws : options->laws, *options->references,
+                                        options->jobs ? options->jobs : all.threads);
+        std::cerr << "written: " << reports::reference_table_name << ", " << reports::reference_motions_name << " in "
+                  << *options->references << '\n';
+        return 0;
+      }
       const reports::StressSettings settings = settings_of(*options);
       if (options->out) reports::prepare_folder(*options->out);
       const std::vector<reports::StressCell> cells = reports::run_stress(cases, settings);

@@ -1,4 +1,4 @@
-#include "oracle/reports/sweep.hpp"
+#include "oracle/sweep/sweep.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -8,12 +8,12 @@
 #include <numeric>
 
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/parallel.hpp"
-#include "oracle/reports/program_identity.hpp"
-#include "oracle/reports/progress.hpp"
-#include "oracle/reports/sweep_store.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/golden_files.hpp"
+#include "oracle/files/parallel.hpp"
+#include "oracle/files/program_identity.hpp"
+#include "oracle/files/progress.hpp"
+#include "oracle/sweep/sweep_store.hpp"
 
 namespace lubjoint::cli {
 

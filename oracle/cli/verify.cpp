@@ -5,13 +5,13 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/reports/files.hpp"
-#include "oracle/reports/golden_files.hpp"
-#include "oracle/reports/progress.hpp"
-#include "oracle/verify/foreign_program.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/golden_files.hpp"
+#include "oracle/files/progress.hpp"
 #include "oracle/verify/report.hpp"
-#include "oracle/verify/scene_suspects.hpp"
-#include "oracle/verify/trajectory_report.hpp"
+#include "oracle/verify/states/foreign_program.hpp"
+#include "oracle/verify/trajectory/scene_suspects.hpp"
+#include "oracle/verify/trajectory/trajectory_report.hpp"
 
 namespace lubjoint::cli {
 

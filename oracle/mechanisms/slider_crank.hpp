@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lubjoint/film/vector.hpp"
+#include "lubjoint/number/vector.hpp"
 
 namespace lubjoint::mechanisms {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "oracle/verify/gallery.hpp"
-#include "oracle/verify/judgement.hpp"
+#include "oracle/verify/gallery/gallery.hpp"
+#include "oracle/verify/states/judgement.hpp"
 
 namespace lubjoint::verify {
 

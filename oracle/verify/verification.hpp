@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle/verify/diagnosis.hpp"
-#include "oracle/verify/digits.hpp"
-#include "oracle/verify/terms.hpp"
+#include "oracle/verify/states/digits.hpp"
+#include "oracle/verify/terms/terms.hpp"
 
 namespace lubjoint::verify {
 

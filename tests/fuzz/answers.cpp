@@ -1,9 +1,9 @@
-#include "oracle/verify/answers.hpp"
+#include "oracle/verify/states/answers.hpp"
 
 #include <cmath>
 
 #include "fuzz/targets.hpp"
-#include "oracle/reports/csv_table.hpp"
+#include "oracle/files/csv_table.hpp"
 
 namespace lubjoint::fuzz {
 

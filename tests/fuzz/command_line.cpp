@@ -1,7 +1,7 @@
 #include "oracle/cli/command_line.hpp"
 
 #include "fuzz/targets.hpp"
-#include "lubjoint/scene/printable.hpp"
+#include "lubjoint/text/printable.hpp"
 
 namespace lubjoint::fuzz {
 

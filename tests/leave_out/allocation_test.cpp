@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "leave_out/counted_memory.hpp"
-#include "lubjoint/dynamics/exact_jacobian.hpp"
-#include "lubjoint/dynamics/film_modes.hpp"
-#include "lubjoint/dynamics/radau_iia5.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/motion/film_modes.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
+#include "lubjoint/ode/radau_iia5.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 

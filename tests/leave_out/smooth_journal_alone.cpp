@@ -1,10 +1,10 @@
 // A free journal on a film without a jump, with the implicit integrator. What it is made of is the test.
 #include <cstdio>
 
-#include "lubjoint/dynamics/exact_jacobian.hpp"
-#include "lubjoint/dynamics/film_modes.hpp"
-#include "lubjoint/dynamics/radau_iia5.hpp"
 #include "lubjoint/film/pinkus_sternlicht.hpp"
+#include "lubjoint/motion/film_modes.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
+#include "lubjoint/ode/radau_iia5.hpp"
 
 int main() {
   using Law = lubjoint::PinkusSternlicht;

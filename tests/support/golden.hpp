@@ -9,8 +9,8 @@
 
 #include "lubjoint/film/bearing.hpp"
 #include "lubjoint/film/film_state.hpp"
-#include "oracle/reports/csv_table.hpp"
-#include "oracle/reports/files.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::test {
 

@@ -77,18 +77,20 @@ inline std::string folder_of(const std::string& file) {
 
 /// Film state and geometry. Any other header of film/ counts as a force law until it is listed here.
 inline bool is_film_geometry(const std::string& file) {
-  static const std::set<std::string> geometry = {"scalar", "vector", "bearing", "film_state", "extent", "pressure"};
+  static const std::set<std::string> geometry = {"bearing", "film_state", "extent", "pressure"};
   const std::string prefix = "lubjoint/film/";
   if (!file.starts_with(prefix)) return false;
   return geometry.contains(std::filesystem::path(file).stem().string());
 }
 
-/// Height in film <- joint <- multibody <- dynamics <- scene <- oracle/{verify,reports} <- cli, if the folder is in it.
-/// vector, where it is a folder, is below all.
+/// Height of a folder, if it has one: arrows run down. ode knows no mechanics, files nothing at all.
 inline std::optional<int> height_of(const std::string& folder) {
-  static const std::map<std::string, int> heights = {{"vector", -1},       {"film", 0},           {"joint", 1},
-                                                     {"multibody", 2},     {"dynamics", 3},       {"scene", 4},
-                                                     {"oracle/verify", 5}, {"oracle/reports", 5}, {"oracle/cli", 6}};
+  static const std::map<std::string, int> heights = {
+      {"oracle/files", -2}, {"number", -1},        {"film", 0},           {"joint", 1},
+      {"multibody", 2},     {"motion", 3},         {"scene", 4},          {"oracle/verify", 5},
+      {"oracle/plot", 5},   {"oracle/results", 6}, {"oracle/laws", 7},    {"oracle/trajectories", 7},
+      {"oracle/sweep", 7},  {"oracle/paper", 8},   {"oracle/measure", 8}, {"oracle/page", 9},
+      {"oracle/cli", 10}};
   const auto found = heights.find(folder);
   return found == heights.end() ? std::nullopt : std::optional<int>(found->second);
 }
@@ -117,11 +119,20 @@ inline std::string objection(const std::string& from, const std::string& to) {
   if (independent.contains(folder)) {
     if (target == "film" && !is_film_geometry(to)) return "what checks the force laws may not see one";
     const bool of_library = !target.starts_with("oracle/");
-    if (of_library && target != "film" && target != "vector") return "it may see only film state and geometry";
+    if (of_library && target != "film" && target != "number") return "it may see only film state and geometry";
   }
-  static const std::set<std::string> machinery = {"joint", "multibody", "dynamics", "scene"};
+  static const std::set<std::string> machinery = {"joint", "multibody", "ode", "motion", "scene"};
   if (folder == "oracle/mechanisms" && machinery.contains(target)) return "it is the check of " + target;
   if (!folder.starts_with("oracle/") && target.starts_with("oracle/")) return "the library may not see the oracles";
+  if (folder == "ode" && !target.starts_with("oracle/") && target != "number" && target != "ode") {
+    return "an integrator knows no mechanics";
+  }
+  static const std::set<std::string> reports = {"oracle/plot",         "oracle/results", "oracle/laws",
+                                                "oracle/trajectories", "oracle/sweep",   "oracle/paper",
+                                                "oracle/measure",      "oracle/page"};
+  if ((folder == "oracle/certified" || folder == "oracle/verify") && reports.contains(target)) {
+    return "what judges may not see a report";
+  }
   const std::optional<int> height = height_of(folder);
   const std::optional<int> target_height = height_of(target);
   if (height && target_height && *target_height > *height) return "the arrows run the other way";

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "lubjoint/dynamics/journal_run.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/motion/journal_run.hpp"
 
 namespace lubjoint::test {
 

@@ -4,9 +4,9 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
-#include "oracle/reports/journal_checks.hpp"
-#include "oracle/reports/page/page.hpp"
-#include "oracle/reports/slider_crank_checks.hpp"
+#include "oracle/page/page.hpp"
+#include "oracle/paper/journal_checks.hpp"
+#include "oracle/paper/slider_crank_checks.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lubjoint::test {

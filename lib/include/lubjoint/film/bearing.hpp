@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lubjoint/film/scalar.hpp"
+#include "lubjoint/number/scalar.hpp"
 
 namespace lubjoint {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lubjoint/film/vector.hpp"
+#include "lubjoint/number/vector.hpp"
 
 namespace lubjoint {
 

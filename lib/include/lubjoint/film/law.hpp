@@ -13,9 +13,9 @@
 #include <string_view>
 
 #include "lubjoint/film/bearing.hpp"
-#include "lubjoint/film/dual.hpp"
 #include "lubjoint/film/extent.hpp"
 #include "lubjoint/film/film_state.hpp"
+#include "lubjoint/number/dual.hpp"
 
 namespace lubjoint {
 

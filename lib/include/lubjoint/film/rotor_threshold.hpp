@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "lubjoint/film/scalar.hpp"
+#include "lubjoint/number/scalar.hpp"
 
 namespace lubjoint {
 

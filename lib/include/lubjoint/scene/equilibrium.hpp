@@ -5,7 +5,7 @@
 #include <array>
 #include <complex>
 
-#include "lubjoint/film/vector.hpp"
+#include "lubjoint/number/vector.hpp"
 #include "lubjoint/scene/scene.hpp"
 
 namespace lubjoint {

@@ -1,8 +1,8 @@
 /// Friction torques, power and side flow along the run of a journal whose spin is held.
 #pragma once
 
-#include "lubjoint/dynamics/journal_recorder.hpp"
-#include "lubjoint/dynamics/multibody_results.hpp"
+#include "lubjoint/motion/journal_recorder.hpp"
+#include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/scene/scene.hpp"
 
 namespace lubjoint {

@@ -1,7 +1,7 @@
 /// A scene as a multibody system.
 #pragma once
 
-#include "lubjoint/dynamics/multibody_ode.hpp"
+#include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/scene.hpp"
 

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "lubjoint/dynamics/outcome.hpp"
 #include "lubjoint/film/shear_extent.hpp"
-#include "lubjoint/film/vector.hpp"
+#include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/number/vector.hpp"
 
 namespace lubjoint {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lubjoint/dynamics/journal_recorder.hpp"
-#include "lubjoint/dynamics/multibody_results.hpp"
-#include "lubjoint/dynamics/outcome.hpp"
+#include "lubjoint/motion/journal_recorder.hpp"
+#include "lubjoint/motion/multibody_results.hpp"
+#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/multibody/start_correction.hpp"
 #include "lubjoint/scene/scene.hpp"
 

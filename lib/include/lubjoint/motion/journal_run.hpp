@@ -1,0 +1,210 @@
+/// A free journal on its film, from its start to its end, through all modes.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "lubjoint/motion/film_modes.hpp"
+#include "lubjoint/motion/journal_recorder.hpp"
+#include "lubjoint/motion/mode_run.hpp"
+#include "lubjoint/motion/stop_words.hpp"
+#include "lubjoint/ode/integrators.hpp"
+
+namespace lubjoint {
+
+namespace detail {
+
+/// Message of a run that could not go on: where it was, and what to change.
+inline std::string stop_message(ModeEnd end, const std::string& joint, double t, const JournalState<double>& y,
+                                const RunSettings& settings, std::string_view method) {
+  const std::string where = "stopped at t = " + number(t) + " s: joint \"" + joint + "\" is at eccentricity ratio " +
+                            eccentricity_words({y[0], y[1]});
+  if (end == ModeEnd::step_limit) {
+    return where + "; " + step_limit_words(settings.max_steps, is_stiff_integrator(method), film_gap({y[0], y[1]}));
+  }
+  const std::string remedy =
+      "the film can't carry this load in double precision; raise the viscosity or lower the load or the clearance";
+  if (end == ModeEnd::stalled) {
+    return where + "; " + stall_words() +
+           (is_stiff_integrator(method) ? remedy : "radau_iia5 needs far fewer where the film is stiff");
+  }
+  return where + "; no step, however short, gives a finite state with eccentricity ratio below 1: " + remedy;
+}
+
+/// What w is measured against [1/s]: the mean spin, or the rate at which the load moves the journal, be it the film or
+/// inertia that holds it back.
+template <FilmLaw Law>
+double rate_scale(const FreeJournal<Law>& journal) {
+  const double load = journal.drive().load.norm();
+  const double film_rate = load / journal.joint().force_scale();
+  const double inertial_rate = std::sqrt(load / journal.inertia());
+  return std::max({std::abs(journal.drive().mean_spin()), std::min(film_rate, inertial_rate), 1e-3});
+}
+
+}  // namespace detail
+
+/// Runs a free journal.
+template <FilmLaw Law>
+class JournalRun {
+ public:
+  /// @param method  one of method_names
+  JournalRun(const FreeJournal<Law>& journal, std::string joint_name, std::string method, const RunSettings& settings)
+      : journal_(journal), joint_name_(std::move(joint_name)), settings_(settings), recorder_(settings) {
+    outcome_.integrator = std::move(method);
+  }
+
+  /// @param start  ê and w at t = 0; a state outside the clearance circle is the caller's error
+  RunOutcome run(const JournalState<double>& start) {
+    y_ = start;
+    t_ = 0;
+    dt_ = 1e-6 * settings_.duration;
+    if constexpr (PolarLaw<Law>) {
+      run_half_film();
+    } else {
+      const SmoothMode<Law> mode(journal_);
+      recorder_.start(mode, t_, y_);
+      conclude(mode, integrate(mode, y_), y_);
+    }
+    outcome_.t_end = t_;
+    return outcome_;
+  }
+
+  const JournalRecorder& recorder() const { return recorder_; }  ///< what the run has left
+
+ private:
+  enum class Phase { converging, mirrored, sliding };
+
+  template <class Mode>
+  ModeResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
+    const double position = settings_.absolute_tolerance;
+    const double velocity = position * detail::rate_scale(journal_);
+    constexpr std::size_t n = Mode::dimension;
+    StepTolerance<double, n> tolerance{settings_.relative_tolerance, {}, settings_.relative_tolerance};
+    for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
+    const auto method = make_integrator<n>(outcome_.integrator, tolerance);
+    const std::size_t looks = method->looks_inside();
+    const ModeResult result = ModeRun<Mode>(mode, *method, settings_, outcome_)
+                                  .run(t_, y, dt_, [&](double a, double b, const auto& state_at) {
+                                    recorder_.step(mode, a, b, state_at, looks);
+                                  });
+    outcome_.jacobian_evaluations += method->counts().jacobians;
+    outcome_.factorisations += method->counts().factorisations;
+    return result;
+  }
+
+  template <class Mode, class State>
+  void conclude(const Mode& mode, const ModeResult& result, const State& y) {
+    if (result.end != ModeEnd::duration_reached) {
+      outcome_.status = RunStatus::stopped;
+      outcome_.message =
+          detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_, outcome_.integrator);
+    }
+    recorder_.finish(mode, t_, y);
+  }
+
+  // The half films: one mode after another.
+
+  /// Line of centres r, and ρ, β on it, for a journal at a = 0. A journal at rest is looked at a moment later, when
+  /// its acceleration has given it a direction.
+  struct OnTheJump {
+    Vector2<double> line;
+    double rho;
+    double beta;
+    double t;
+  };
+
+  OnTheJump on_the_jump() const {
+    const JournalDrive<double>& drive = journal_.drive();
+    const FilmState<double> film = journal_.film(y_);
+    const Vector2<double> acceleration = drive.load / journal_.inertia();
+    if (!is_zero(film.velocity)) {
+      const Vector2<double> r = direction(is_zero(film.eccentricity) ? film.velocity : film.eccentricity);
+      return {r, dot(r, film.eccentricity), dot(r, film.velocity), t_};
+    }
+    if (is_zero(film.eccentricity) && is_zero(acceleration)) return {Vector2<double>(1, 0), 0, 0, t_};
+    const Vector2<double> r = direction(is_zero(film.eccentricity) ? acceleration : film.eccentricity);
+    const double fastest = std::max(std::abs(drive.mean_spin()), std::sqrt(acceleration.norm()));
+    if (fastest == 0) return {r, dot(r, film.eccentricity), 0, t_};  // nothing will ever move it
+    const double moment = 1e-6 / fastest;
+    const double a_r = dot(r, acceleration);
+    return {r, dot(r, film.eccentricity) + a_r * moment * moment / 2, a_r * moment, t_ + moment};
+  }
+
+  /// Filippov's rule at a = 0, where Φ is the tangential force that would keep it and X the film's on the converging
+  /// side: slide if |Φ| ≤ X; else the film goes to the side to which it is driven.
+  Phase decide_on_the_jump() const {
+    const OnTheJump here = on_the_jump();
+    const SlidingMode<Law> sliding(journal_, t_, here.line);
+    const std::array<double, 2> y{here.rho, here.beta};
+    const double reach = sliding.tangential_reach(y);
+    const double needed = sliding.tangential_force(here.t, y);
+    if (reach > 0 && std::abs(needed) <= reach) return Phase::sliding;
+    if (needed >= reach) return Phase::converging;
+    return Phase::mirrored;
+  }
+
+  Phase first_phase() const {
+    const FilmState<double> film = journal_.film(y_);
+    const double turning = cross(film.eccentricity, film.velocity);
+    if (turning == 0) return decide_on_the_jump();
+    return turning > 0 ? Phase::mirrored : Phase::converging;
+  }
+
+  void run_half_film() {
+    Phase phase = first_phase();
+    bool started = false;
+    double last_event = -1;
+    int events_without_progress = 0;
+    while (true) {
+      ModeResult result;
+      if (phase == Phase::sliding) {
+        const OnTheJump here = on_the_jump();
+        const bool at_rest = here.t > t_;
+        const SlidingMode<Law> mode(journal_, t_, here.line);
+        std::array<double, 2> y{dot(here.line, Vector2<double>(y_[0], y_[1])), at_rest ? 0.0 : here.beta};
+        if (!std::exchange(started, true)) recorder_.start(mode, t_, y);
+        const double t_start = t_;
+        result = integrate(mode, y);
+        recorder_.slid(t_start, t_);
+        y_ = mode.journal(t_, y);
+        if (result.end != ModeEnd::event) return conclude(mode, result, y);
+        const bool beyond = y[0] < 0;
+        phase = (result.margin == 0) != beyond ? Phase::converging : Phase::mirrored;
+      } else {
+        const HalfFilmSide side = phase == Phase::converging ? HalfFilmSide::converging : HalfFilmSide::mirrored;
+        const SidedMode<Law> mode(journal_, side);
+        if (!std::exchange(started, true)) recorder_.start(mode, t_, y_);
+        result = integrate(mode, y_);
+        if (result.end != ModeEnd::event) return conclude(mode, result, y_);
+        // So near the wall that on its line of centres the journal is at it, to rounding.
+        if (!(std::abs(on_the_jump().rho) < 1)) return conclude(mode, {ModeEnd::step_too_short, 0}, y_);
+        const Phase next = decide_on_the_jump();
+        const Phase other = phase == Phase::converging ? Phase::mirrored : Phase::converging;
+        phase = next == Phase::sliding ? next : other;
+      }
+      ++outcome_.mode_changes;
+      events_without_progress = t_ > last_event ? 0 : events_without_progress + 1;
+      last_event = t_;
+      if (events_without_progress > 20) {
+        outcome_.status = RunStatus::stopped;
+        outcome_.message = "stopped at t = " + detail::number(t_) + " s: joint \"" + joint_name_ +
+                           "\" can't leave the jump of its half film at a = 0, eccentricity ratio " +
+                           detail::eccentricity_words({y_[0], y_[1]}) +
+                           "; use a law without a jump, such as a dynamic one";
+        recorder_.finish(SidedMode<Law>(journal_, HalfFilmSide::converging), t_, y_);
+        return;
+      }
+    }
+  }
+
+  const FreeJournal<Law>& journal_;
+  std::string joint_name_;
+  RunSettings settings_;
+  JournalRecorder recorder_;
+  RunOutcome outcome_;
+  JournalState<double> y_{};
+  double t_ = 0;
+  double dt_ = 0;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,157 @@
+/// A multibody system as the integrators see it.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/motion/multibody_results.hpp"
+#include "lubjoint/multibody/planar_system.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
+#include "lubjoint/ode/integrator.hpp"
+
+namespace lubjoint {
+
+/// Kinetic energy, and potential energy of the weights [J].
+template <class R>
+struct MechanicalEnergy {
+  R kinetic;    ///< of all bodies
+  R potential;  ///< of all weights
+};
+
+/// y = (q, q̇) and, with a ledger, the work of each term;  ẏ = (q̇, q̈, powers).
+template <class R>
+class MultibodyOde final : public OdeSystem<R, run_time_size> {
+ public:
+  using State = std::vector<R>;                   ///< y
+  using Jacobian = JacobianOf<R, run_time_size>;  ///< ∂ẏ/∂y
+  static constexpr int jacobian_group = 6;        ///< columns of the Jacobian a pass: those of a body
+  /// A number with the derivatives of one pass.
+  using Seeded = Dual<R, jacobian_group>;
+
+  /// @param with_ledger  integrate the work of each term, too
+  MultibodyOde(const PlanarSystem<R>& system, bool with_ledger);
+
+  const PlanarSystem<R>& system() const { return system_; }                    ///< whose equations these are
+  bool with_ledger() const { return with_ledger_; }                            ///< is the work integrated?
+  bool has_contact() const { return has_contact_; }                            ///< may any joint touch?
+  std::size_t mechanical_states() const { return 2 * system_.coordinates(); }  ///< of (q, q̇)
+  /// Number of states.
+  std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? ledger_terms : 0); }
+  std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
+
+  /// Memories of the joints; empty where nothing can touch.
+  std::vector<JointMemory<R>>& memory() { return memory_; }
+  const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
+
+  /// ẏ; counted.
+  void rate(const State& y, State& dydt, const R& t) override;
+  /// ∂ẏ/∂y, exact.
+  void jacobian(const State& y, Jacobian& j, const R& t) override;
+  /// ∂ẏ/∂t, exact.
+  void time_slope(const State& y, State& slope, const R& t) override;
+
+  /// Everything at a state: joints, multipliers, rows. With the memory given, else the current one.
+  const SystemWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }
+  /// The same, with another memory.
+  const SystemWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory);
+
+  SystemWorkspace<R>& workspace() { return real_; }  ///< of the last evaluation
+
+  /// ½q̇ᵀMq̇, and the potential energy −Σ m g·r.
+  MechanicalEnergy<R> energy(const State& y) const {
+    MechanicalEnergy<R> sum{R(0), R(0)};
+    const std::size_t n = system_.coordinates();
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const PlanarBody<R>& body = system_.bodies()[b];
+      const R* q = y.data() + 3 * b;
+      const R* v = y.data() + n + 3 * b;
+      sum.kinetic += (body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2]) / 2;
+      sum.potential -= body.mass * (system_.gravity().x() * q[0] + system_.gravity().y() * q[1]);
+    }
+    return sum;
+  }
+
+ private:
+  template <class T, class Time>
+  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
+    system_.evaluate(t, y.data(), memory_, w);
+    const std::size_t n = system_.coordinates();
+    for (std::size_t i = 0; i < n; ++i) {
+      dydt[i] = y[n + i];
+      dydt[n + i] = w.accelerations[i];
+    }
+    if (with_ledger_) fill_powers(y, w, &dydt[2 * n]);
+  }
+
+  template <class T>
+  void fill_powers(const std::vector<T>& y, const SystemWorkspace<T>& w, T* power) const {
+    const std::size_t n = system_.coordinates();
+    for (std::size_t i = 0; i < ledger_terms; ++i) power[i] = T(0);
+    const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const PlanarBody<R>& body = system_.bodies()[b];
+      const T* v = &y[n + 3 * b];
+      add(LedgerTerm::loads, T(body.load.x() * v[0] + body.load.y() * v[1] + body.moment * v[2]));
+    }
+    for (const JointForce<T>& joint : w.joints) {
+      add(LedgerTerm::film, joint.film_power());
+      if (has_contact_) add(LedgerTerm::contact, joint.contact_power());
+    }
+    for (std::size_t k = 0; k < w.shear_torques.size(); ++k) {
+      const JournalMotion<T>& motion = w.joints[system_.sheared_joints()[k]].kinematics.motion;
+      add(LedgerTerm::film, T(w.shear_torques[k] * (motion.journal_spin - motion.bearing_spin)));
+    }
+    for (std::size_t c = 0; c < system_.constraints().size(); ++c) {
+      const LedgerTerm term = system_.constraints()[c].is_driver() ? LedgerTerm::drivers : LedgerTerm::constraints;
+      for (std::size_t row = system_.first_row(c); row < system_.first_row(c + 1); ++row) {
+        add(term, T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
+      }
+    }
+  }
+
+  const PlanarSystem<R>& system_;
+  bool with_ledger_;
+  bool has_contact_ = false;
+  SystemWorkspace<R> real_;
+  SystemWorkspace<Seeded> dual_;
+  RunTimeJacobian<jacobian_group, R> derivatives_;
+  std::vector<JointMemory<R>> memory_;
+  std::size_t evaluations_ = 0;
+};
+
+// Out of the class, where no function is inline: a declaration of an instance (multibody_scene.hpp) then spares those
+// who include it the compilation of every law, constraint and solver on numbers with derivatives.
+
+template <class R>
+MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
+    : system_(system),
+      with_ledger_(with_ledger),
+      real_(system.template workspace<R>()),
+      dual_(system.template workspace<Seeded>()) {
+  for (const JointElement<R>& joint : system.joints()) has_contact_ = has_contact_ || joint.has_contact();
+  if (has_contact_) memory_.resize(system.joints().size());
+}
+
+template <class R>
+void MultibodyOde<R>::rate(const State& y, State& dydt, const R& t) {
+  ++evaluations_;
+  fill(t, y, dydt, real_);
+}
+
+template <class R>
+void MultibodyOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
+  derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
+}
+
+template <class R>
+void MultibodyOde<R>::time_slope(const State& y, State& slope, const R& t) {
+  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Seeded& s) { fill(s, x, dxdt, dual_); }, y, t,
+                               slope);
+}
+
+template <class R>
+const SystemWorkspace<R>& MultibodyOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+  system_.evaluate(t, y.data(), memory, real_);
+  return real_;
+}
+
+}  // namespace lubjoint

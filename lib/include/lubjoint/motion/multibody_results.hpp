@@ -1,0 +1,92 @@
+/// What a run of a multibody system leaves behind.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lubjoint/joint/transition.hpp"
+#include "lubjoint/number/vector.hpp"
+
+namespace lubjoint {
+
+/// Terms of the energy ledger, integrated along: work since the start [J].
+enum class LedgerTerm {
+  loads,       ///< of constant forces other than weight, and constant moments
+  drivers,     ///< of the drivers' moments
+  film,        ///< of the films on their pairs, friction torque included: never positive with shear. Without it whirl
+               ///< takes from a spin that pays no torque
+  contact,     ///< of dry contact and friction
+  constraints  ///< of the other constraints: zero but for their drift
+};
+inline constexpr std::size_t ledger_terms = 5;  ///< number of them
+/// Their names, in order.
+inline constexpr std::array<const char*, ledger_terms> ledger_names = {"loads", "drivers", "film", "contact",
+                                                                       "constraints"};
+
+/// What the oil of a joint with shear costs at an instant; what is not defined (in dry contact; the side flow of a long
+/// bearing) is not there.
+struct LossSample {
+  std::optional<double> torque_journal;  ///< about the journal's centre [N m]
+  std::optional<double> torque_bearing;  ///< about the bearing's centre [N m]
+  std::optional<double> power;           ///< lost in the film [W]
+  std::optional<double> side_flow;       ///< out of both sides [m³/s]
+};
+
+/// A joint at an instant.
+struct JointSample {
+  Vector2<double> eccentricity;  ///< e [m]
+  Vector2<double> force;         ///< on the journal [N]
+  double eccentricity_ratio;     ///< ε = |e|/c
+  double film_thickness;         ///< c − |e|; negative in contact [m]
+  LossSample losses = {};        ///< of a joint with shear
+};
+
+/// A system at an instant.
+struct MultibodySample {
+  double t;                             ///< [s]
+  std::vector<double> state;            ///< q, q̇ of all bodies
+  std::vector<JointSample> joints;      ///< in the scene's order
+  std::vector<double> driving_moments;  ///< on each driver's second body [N m]
+  std::vector<double> ledger;           ///< kinetic, potential, then the work of each term; empty if not asked for
+};
+
+/// The largest value of a quantity along a run, from dense output and root finding.
+struct Peak {
+  double value;  ///< in the quantity's unit
+  double t;      ///< when [s]
+};
+
+/// Peaks of a joint.
+struct JointExtremes {
+  Peak eccentricity{0, 0};  ///< |e| [m]
+  Peak force{0, 0};         ///< |F| [N]
+  /// Steps that crossed the jump of a half film at a = 0, or would have with one more like them.
+  std::size_t jump_crossings = 0;
+};
+
+/// Peaks of a driver's moment on its second body [N m].
+struct DriverExtremes {
+  Peak max_moment{0, 0};  ///< largest
+  Peak min_moment{0, 0};  ///< smallest, of either sign
+};
+
+/// Largest violation of any constraint at the end of a step.
+struct ConstraintDrift {
+  double position = 0;  ///< |Φ| [m or rad]
+  double velocity = 0;  ///< |Φ̇| [m/s or rad/s]
+};
+
+/// An entry or an exit of contact.
+struct ContactEvent {
+  double t;             ///< [s]
+  std::size_t joint;    ///< in the scene's order
+  ContactPhase from;    ///< that ends
+  ContactPhase to;      ///< that begins
+  double normal_speed;  ///< v·r [m/s]
+  double force_before;  ///< |F| on the journal, of the piece that ends [N]
+  double force_jump;    ///< |ΔF| across the event [N]
+};
+
+}  // namespace lubjoint

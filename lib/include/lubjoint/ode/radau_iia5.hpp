@@ -1,0 +1,406 @@
+/// Radau IIA of order 5 as an Odeint stepper.
+#pragma once
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
+#include <boost/numeric/odeint/stepper/stepper_categories.hpp>
+#include <boost/numeric/odeint/util/unwrap_reference.hpp>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "lubjoint/ode/integrator.hpp"
+#include "lubjoint/ode/radau_tableau.hpp"
+#include "lubjoint/ode/shifted_solver.hpp"
+
+namespace lubjoint {
+
+/// Three-stage Radau IIA, order 5, L-stable, with step-size control: a controlled stepper in Odeint's sense, so that
+/// it runs in Odeint's integrate functions. The system is a pair (f, jacobian) as for Odeint's rosenbrock4:
+///   f(x, dxdt, t) and jacobian(x, J, t), J an Eigen::Matrix<R, N, N>; time derivatives are not needed.
+/// Simplified Newton iterations on the transformed stages, one real and one complex factorisation a step. The solution
+/// is of order 5, the embedded estimate of order 3: as in Hairer and Wanner's code the tolerance of the estimate is
+/// 0.1 τ^{2/3}, which makes the error of the solution of the order of τ.
+/// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.8.
+///
+/// A trial state at which f throws std::domain_error, or that is not finite, is a failed step: it is halved.
+/// @tparam R  double, long double, or a Boost.Multiprecision number
+/// @tparam N  number of states; run_time_size: as many as the tolerances that it is made with, in std::vector
+template <class R, std::size_t N>
+class RadauIIA5 {
+ public:
+  /// What Odeint asks of a stepper.
+  /// @{
+  using value_type = R;
+  using state_type = StateOf<R, N>;
+  using deriv_type = state_type;
+  using time_type = R;
+  using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
+  using order_type = unsigned short;
+  /// @}
+  /// Of Eigen's matrices.
+  static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);
+  using Vector = Eigen::Matrix<R, dimension, 1>;          ///< a state
+  using Matrix = Eigen::Matrix<R, dimension, dimension>;  ///< a Jacobian
+
+  static constexpr order_type order() { return 5; }  ///< of the solution
+
+  /// @param absolute_tolerance  one for each state, in the state's own unit
+  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance)
+      : absolute_(absolute_tolerance), solver_(size()) {
+    using std::pow;
+    if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
+      throw std::invalid_argument("relative tolerance of radau_iia5: allowed is a number in (0, 1)");
+    }
+    relative_ = R(0.1) * pow(relative_tolerance, R(2) / 3);
+    relative_part_ = relative_;
+    for (std::size_t i = 0; i < absolute_.size(); ++i) {
+      if (!(absolute_tolerance[i] > 0)) {
+        throw std::invalid_argument("absolute tolerance of radau_iia5: allowed is a number above 0");
+      }
+      absolute_[i] = absolute_tolerance[i] / relative_tolerance * relative_;
+    }
+    using std::sqrt;
+    // Work of every size at once: no step allocates, and a copy copies numbers.
+    jacobian_.setZero(size(), size());
+    for (Vector* v : {&scale_, &f_, &f_end_, &right_, &solution_}) v->setZero(size());
+    for (Stages* stages : {&z_, &z_old_, &w_, &g_, &change_}) {
+      for (Vector& v : *stages) v.setZero(size());
+    }
+    newton_tolerance_ =
+        std::max<R>(std::numeric_limits<R>::epsilon() / relative_, std::min<R>(R(0.03), sqrt(relative_)));
+  }
+
+  /// Leaves the relative tolerance out of the test of a step: for states whose size says nothing of the digits that
+  /// matter, such as a coordinate of 0.1 m in which a clearance of 0.1 mm is at stake.
+  void use_absolute_tolerance_only() { relative_part_ = R(0); }
+
+  /// Replaces the state after a step by one close to it, and keeps step length and history.
+  void replace_state(const state_type& x) {
+    x_ = x;
+    rate_is_current_ = false;
+    jacobian_is_of_this_state_ = false;
+  }
+
+  /// One trial step. On success x, t are advanced and dt is the next step's length; on failure dt is reduced.
+  template <class System>
+  boost::numeric::odeint::controlled_step_result try_step(System system, state_type& x, time_type& t, time_type& dt) {
+    namespace odeint = boost::numeric::odeint;
+    using Unwrapped = typename odeint::unwrap_reference<System>::type;
+    Unwrapped& parts = system;
+    if (!started_ || x != x_ || t != t_) begin_at(x, t);
+    try {
+      if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
+      rate_is_current_ = true;
+      if (!jacobian_is_usable_) {
+        ++counts_.jacobians;
+        parts.second(x_, jacobian_, t_);
+        if (!jacobian_.allFinite() || !f_.allFinite()) return fail(dt, R(0.5));
+        jacobian_is_usable_ = true;
+        jacobian_is_of_this_state_ = true;
+        factorised_for_ = 0;
+      }
+      if (factorised_for_ != dt) factorise(dt);
+      if (!solve_stages(parts.first, dt)) {
+        // An older Jacobian may be to blame: the same step again with a new one.
+        const bool try_new_jacobian = !jacobian_is_of_this_state_;
+        jacobian_is_usable_ = jacobian_is_of_this_state_;
+        return try_new_jacobian ? fail(dt, R(1)) : diverge(dt);
+      }
+      R error = estimate(parts.first, dt);
+      if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
+      if (error < 1) {  // the end of the step is a trial state too; its rate begins the next step
+        evaluate(parts.first, displaced(z_[2]), t_ + dt, f_end_);
+        if (!f_end_.allFinite()) return fail(dt, R(0.5));
+      }
+      return finish(x, t, dt, std::max<R>(error, R(1e-10)));
+    } catch (const std::domain_error&) {
+      return diverge(dt);
+    }
+  }
+
+  /// State inside the last accepted step, by the collocation polynomial (order 3, exact at both ends).
+  void state_at(const time_type& t, state_type& x) const {
+    const R s = (t - (t_ - h_old_)) / h_old_;
+    const auto& c = tableau_.c;
+    // Lagrange basis on 0, c₁, c₂, 1 of the increments, which vanish at 0.
+    const R l1 = s * (s - c(1)) * (s - 1) / (c(0) * (c(0) - c(1)) * (c(0) - 1));
+    const R l2 = s * (s - c(0)) * (s - 1) / (c(1) * (c(1) - c(0)) * (c(1) - 1));
+    const R l3 = s * (s - c(0)) * (s - c(1)) / ((1 - c(0)) * (1 - c(1)));
+    x = x_old_;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      x[i] += l1 * z_old_[0](k) + l2 * z_old_[1](k) + l3 * z_old_[2](k);
+    }
+  }
+
+  /// Derivative of the collocation polynomial at the end of the last accepted step. It is f there but for what Newton's
+  /// iterations have left, which f multiplies by the eigenvalues of a stiff system, and this by 1/h.
+  void end_rate(state_type& rate) const {
+    if (!has_old_step_) return;
+    const auto& c = tableau_.c;
+    const R d1 = (1 - c(1)) / (c(0) * (c(0) - c(1)) * (c(0) - 1));
+    const R d2 = (1 - c(0)) / (c(1) * (c(1) - c(0)) * (c(1) - 1));
+    const R d3 = 1 + 1 / (1 - c(0)) + 1 / (1 - c(1));
+    for (std::size_t i = 0; i < rate.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      rate[i] = (d1 * z_old_[0](k) + d2 * z_old_[1](k) + d3 * z_old_[2](k)) / h_old_;
+    }
+  }
+
+  /// Forget the last step: to be called after the state was changed by hand.
+  void reset() { started_ = false; }
+
+  const StepperCounts& counts() const { return counts_; }  ///< so far
+
+ private:
+  using Stages = std::array<Vector, 3>;
+  using Index = Eigen::Index;
+
+  // In a film a hundredth of a clearance thick it is not the error that limits a step, but how far the stages may go
+  // before the Jacobian of its start has nothing to do with them: Newton's iterations get slow, then diverge. A step
+  // aims at a rate of convergence at which they cost least for the time they bring (h over their number, with h in
+  // proportion to the rate, is largest at 1/e), may take as many as that needs, and comes slowly back to a length at
+  // which they have diverged. Measured: a half of the evaluations at 1e-5 where a slider-crank's film is thinnest, none
+  // more on the others that ship; a journal thrown at its wall takes up to 3.7 times the steps.
+  static constexpr int max_newton_iterations = 15;
+  static constexpr double aimed_newton_rate = 0.3;
+  static constexpr double growth_after_divergence = 1.1;
+  /// Newton's iterations that shrink faster than this need no new Jacobian for the next step.
+  static constexpr double keep_jacobian_below = 1e-3;
+  /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
+  static constexpr double keep_step_below = 1.2;
+
+  template <class F>
+  void evaluate(F& f, const state_type& x, const R& t, Vector& out) {
+    f(x, rate_, t);
+    for (std::size_t i = 0; i < rate_.size(); ++i) out(static_cast<Index>(i)) = rate_[i];
+  }
+
+  Index size() const { return static_cast<Index>(absolute_.size()); }
+
+  const state_type& displaced(const Vector& z) {
+    for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = x_[i] + z(static_cast<Index>(i));
+    return trial_;
+  }
+
+  void begin_at(const state_type& x, const R& t) {
+    x_ = x;
+    t_ = t;
+    rate_ = trial_ = x;
+    started_ = true;
+    rate_is_current_ = false;
+    jacobian_is_usable_ = false;
+    first_step_ = true;
+    last_failed_ = false;
+    has_old_step_ = false;
+    longest_ = std::numeric_limits<R>::max();
+    set_scale();
+  }
+
+  void set_scale() {
+    using std::abs;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      scale_(static_cast<Index>(i)) = absolute_[i] + relative_part_ * abs(x_[i]);
+    }
+  }
+
+  R square_scaled(const Vector& v) const { return v.cwiseQuotient(scale_).squaredNorm(); }
+
+  boost::numeric::odeint::controlled_step_result fail(R& dt, const R& factor) {
+    dt *= factor;
+    last_failed_ = true;
+    ++counts_.rejected;
+    return boost::numeric::odeint::fail;
+  }
+
+  boost::numeric::odeint::controlled_step_result diverge(R& dt) {
+    longest_ = dt / 2;
+    return fail(dt, R(0.5));
+  }
+
+  void factorise(const R& dt) {
+    solver_.factorise(jacobian_, tableau_.gamma / dt, tableau_.alpha / dt, tableau_.beta / dt);
+    factorised_for_ = dt;
+    ++counts_.factorisations;
+  }
+
+  /// out_i = Σ_j m_ij in_j, over the three stages.
+  template <class Weights>
+  static void combine(const Weights& m, const Stages& in, Stages& out) {
+    Index i = 0;
+    for (Vector& each : out) {
+      each.noalias() = m(i, 0) * in[0] + m(i, 1) * in[1] + m(i, 2) * in[2];
+      ++i;
+    }
+  }
+
+  /// Simplified Newton iterations for the stage increments z_; false if they do not converge.
+  template <class F>
+  bool solve_stages(F& f, const R& h) {
+    using std::pow;
+    using std::sqrt;
+    const auto& tab = tableau_;
+    start_stages(h);
+    combine(tab.t_inverse, z_, w_);
+    R old_size = 0;
+    R convergence = 1;
+    newton_rate_ = 0;
+    for (iterations_ = 1; iterations_ <= max_newton_iterations; ++iterations_) {
+      ++counts_.newton_iterations;
+      Index stage = 0;
+      for (Vector& g : change_) {
+        evaluate(f, displaced(z_[static_cast<std::size_t>(stage)]), t_ + tab.c(stage) * h, g);
+        if (!g.allFinite()) return false;
+        ++stage;
+      }
+      combine(tab.t_inverse, change_, g_);
+      right_ = g_[0] - (tab.gamma / h) * w_[0];
+      solver_.solve(right_, change_[0]);
+      change_[1] = g_[1] - (tab.alpha / h) * w_[1] + (tab.beta / h) * w_[2];
+      change_[2] = g_[2] - (tab.beta / h) * w_[1] - (tab.alpha / h) * w_[2];
+      solver_.solve_in_place(change_[1], change_[2]);
+      R square(0);
+      for (std::size_t i = 0; i < 3; ++i) {
+        w_[i] += change_[i];
+        square += square_scaled(change_[i]);
+      }
+      const R change = sqrt(square / static_cast<R>(3 * size()));
+      if (!std::isfinite(static_cast<double>(change))) return false;
+      combine(tab.t, w_, z_);
+      if (iterations_ > 1) {
+        const R theta = change / old_size;
+        newton_rate_ = iterations_ == 2 ? theta : R(sqrt(theta * newton_rate_));
+        if (newton_rate_ >= R(0.99)) return false;
+        convergence = newton_rate_ / (1 - newton_rate_);
+        const R remaining = convergence * change *
+                            pow(newton_rate_, static_cast<R>(max_newton_iterations - 1 - iterations_)) /
+                            newton_tolerance_;
+        if (iterations_ < max_newton_iterations && remaining >= 1 && convergence * change > newton_tolerance_) {
+          return false;
+        }
+      }
+      if (convergence * change <= newton_tolerance_ || change == 0) return true;
+      old_size = std::max<R>(change, std::numeric_limits<R>::min());
+    }
+    return false;
+  }
+
+  /// First guess of the stages: the last step's collocation polynomial, continued.
+  void start_stages(const R& h) {
+    if (!has_old_step_ || last_failed_) {
+      for (Vector& z : z_) z.setZero();
+      return;
+    }
+    Index stage = 0;
+    for (Vector& z : z_) {
+      state_at(t_ + tableau_.c(stage++) * h, trial_);
+      for (std::size_t k = 0; k < trial_.size(); ++k) z(static_cast<Index>(k)) = trial_[k] - x_[k];
+    }
+  }
+
+  /// Scaled norm of the embedded error estimate, filtered by the real factorisation.
+  template <class F>
+  R estimate(F& f, const R& h) {
+    using std::sqrt;
+    const auto& w = tableau_.error_weights;
+    Vector& combination = g_[0];
+    combination = (w(0) * z_[0] + w(1) * z_[1] + w(2) * z_[2]) / h;
+    right_ = f_ + combination;
+    const auto norm = [this] {
+      solver_.solve(right_, solution_);
+      return R(sqrt(square_scaled(solution_) / static_cast<R>(size())));
+    };
+    R estimated = norm();
+    if (estimated >= 1 && (first_step_ || last_failed_)) {
+      evaluate(f, displaced(solution_), t_, right_);
+      right_ += combination;
+      estimated = norm();
+    }
+    return estimated;
+  }
+
+  boost::numeric::odeint::controlled_step_result finish(state_type& x, R& t, R& dt, const R& error) {
+    using std::pow;
+    const R safety = R(0.9);
+    const R effort = safety * (2 * max_newton_iterations + 1) / static_cast<R>(iterations_ + 2 * max_newton_iterations);
+    const R limit = std::min<R>(safety, effort);
+    R shrink = std::clamp<R>(pow(error, R(0.25)) / limit, R(0.125), R(5));
+    if (error >= 1) {
+      const R next = first_step_ ? R(0.1) : R(1 / shrink);
+      jacobian_is_usable_ = jacobian_is_of_this_state_;
+      return fail(dt, std::min<R>(next, R(0.9)));
+    }
+    if (!first_step_) {  // Gustafsson's predictive controller
+      const R predicted = (h_accepted_ / dt) * pow(error * error / error_accepted_, R(0.25)) / safety;
+      shrink = std::max<R>(shrink, std::clamp<R>(predicted, R(0.125), R(5)));
+    }
+    error_accepted_ = std::max<R>(error, R(0.01));
+    h_accepted_ = dt;
+
+    std::swap(x_old_, x_);
+    std::swap(z_old_, z_);
+    h_old_ = dt;
+    has_old_step_ = true;
+    x_ = trial_;  // the end of the step, from its last evaluation
+    t_ += dt;
+    x = x_;
+    t = t_;
+    set_scale();
+    std::swap(f_, f_end_);
+    rate_is_current_ = true;
+    jacobian_is_usable_ = newton_rate_ < R(keep_jacobian_below);
+    jacobian_is_of_this_state_ = false;
+    R next = dt / shrink;
+    if (last_failed_) next = std::min<R>(next, dt);
+    if (longest_ < std::numeric_limits<R>::max() / 2) longest_ *= R(growth_after_divergence);
+    next = std::min<R>(next, std::max<R>(longest_, dt));
+    if (newton_rate_ > 0) next = std::min<R>(next, dt * std::max<R>(R(0.5), R(aimed_newton_rate) / newton_rate_));
+    if (!(jacobian_is_usable_ && next >= dt && next <= R(keep_step_below) * dt)) dt = next;
+    first_step_ = false;
+    last_failed_ = false;
+    ++counts_.accepted;
+    return boost::numeric::odeint::success;
+  }
+
+  const RadauTableau<R>& tableau_ = RadauTableau<R>::instance();
+  R relative_ = 0;
+  R relative_part_ = 0;  ///< of it, what the size of a state adds to its tolerance
+  state_type absolute_{};
+  R newton_tolerance_ = 0;
+
+  bool started_ = false;
+  bool first_step_ = true;
+  bool last_failed_ = false;
+  bool has_old_step_ = false;
+  bool rate_is_current_ = false;
+  bool jacobian_is_usable_ = false;
+  bool jacobian_is_of_this_state_ = false;
+  int iterations_ = 0;
+  state_type x_{};
+  R t_ = 0;
+  Vector scale_;
+  Vector f_;
+  Vector f_end_;  ///< at the end of the trial step
+  Matrix jacobian_;
+  R factorised_for_ = 0;
+  R longest_ = 0;  ///< beyond this length Newton's iterations have lately diverged
+  ShiftedSolver<R, dimension> solver_;
+  Stages z_;
+  R newton_rate_ = 0;
+  R h_accepted_ = 0;
+  R error_accepted_ = 0;
+  state_type x_old_{};
+  Stages z_old_;
+  R h_old_ = 0;
+  StepperCounts counts_;
+
+  // Work of a step, kept so that none allocates.
+  state_type rate_{};
+  state_type trial_{};
+  Stages w_, g_, change_;
+  Vector right_, solution_;
+};
+
+}  // namespace lubjoint

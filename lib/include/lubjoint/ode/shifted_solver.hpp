@@ -1,0 +1,101 @@
+/// The real and the complex linear system of a step of Radau IIA(5).
+#pragma once
+
+#include "lubjoint/ode/complex_shift_solver.hpp"
+#include "lubjoint/ode/second_order_solver.hpp"
+
+namespace lubjoint {
+
+/// (γI − J) x = r and ((α + iβ) I − J)(x + iy) = r + is, for one J and many right-hand sides. Equations of motion are
+/// recognised by their Jacobian's form and solved at half the size.
+template <class R, int N>
+class ShiftedSolver {
+ public:
+  using Vector = Eigen::Matrix<R, N, 1>;  ///< a right-hand side
+  using Matrix = Eigen::Matrix<R, N, N>;  ///< J
+
+  /// Takes the memory for n states.
+  explicit ShiftedSolver(Eigen::Index n) : shifted_(Matrix::Identity(n, n)), real_(shifted_), complex_(n) {}
+
+  /// Factorises γI − J and (α + iβ) I − J.
+  /// @param jacobian  kept by reference until the next call
+  void factorise(const Matrix& jacobian, const R& gamma, const R& alpha, const R& beta) {
+    gamma_ = gamma;
+    alpha_ = alpha;
+    beta_ = beta;
+    coordinates_ = can_reduce ? second_order_coordinates(jacobian) : 0;
+    if constexpr (N != Eigen::Dynamic) {
+      if (2 * coordinates_ != N) coordinates_ = 0;
+    }
+    if constexpr (can_reduce) {
+      if (coordinates_ > 0) {
+        jacobian_ = &jacobian;
+        real_reduced_.factorise(jacobian, coordinates_, gamma);
+        complex_reduced_.factorise(jacobian, coordinates_, Complex(alpha, beta));
+        return;
+      }
+    }
+    shifted_ = -jacobian;
+    shifted_.diagonal().array() += gamma;
+    real_.compute(shifted_);
+    complex_.factorise(jacobian, alpha, beta);
+  }
+
+  /// x of the real system.
+  void solve(const Vector& r, Vector& x) {
+    if constexpr (can_reduce) {
+      if (coordinates_ > 0) {
+        x = r;
+        real_reduced_.solve_in_place(x, coordinates_);
+        solve_work(x, R(gamma_));
+        return;
+      }
+    }
+    x.noalias() = real_.solve(r);
+  }
+
+  /// Replaces (r, s) by (x, y) of the complex system.
+  void solve_in_place(Vector& real, Vector& imaginary) {
+    if constexpr (can_reduce) {
+      if (coordinates_ > 0) {
+        both_.resize(real.size());
+        both_.real() = real;
+        both_.imag() = imaginary;
+        complex_reduced_.solve_in_place(both_, coordinates_);
+        solve_work(both_, Complex(alpha_, beta_));
+        real = both_.real();
+        imaginary = both_.imag();
+        return;
+      }
+    }
+    complex_.solve_in_place(real, imaginary);
+  }
+
+ private:
+  static constexpr bool can_reduce = std::is_floating_point_v<R> && (N == Eigen::Dynamic || N % 2 == 0);
+  static constexpr int half = N == Eigen::Dynamic ? Eigen::Dynamic : (N + 1) / 2;
+  using Complex = std::complex<std::conditional_t<std::is_floating_point_v<R>, R, double>>;
+
+  /// The rows of work: λ x_w = r_w + C x_q + D x_v.
+  template <class Both, class S>
+  void solve_work(Both& x, const S& shift) const {
+    const Eigen::Index done = 2 * coordinates_;
+    for (Eigen::Index i = done; i < x.size(); ++i) {
+      auto sum = x(i);
+      for (Eigen::Index j = 0; j < done; ++j) sum += (*jacobian_)(i, j) * x(j);
+      x(i) = sum / shift;
+    }
+  }
+
+  R gamma_ = 0, alpha_ = 0, beta_ = 0;
+  Eigen::Index coordinates_ = 0;
+  const Matrix* jacobian_ = nullptr;
+  SecondOrderSolver<R, half> real_reduced_;
+  SecondOrderSolver<Complex, half> complex_reduced_;
+  Eigen::Matrix<Complex, N, 1> both_ = Eigen::Matrix<Complex, N, 1>::Zero(N == Eigen::Dynamic ? 0 : N);
+  Matrix shifted_;
+  Eigen::PartialPivLU<Matrix> real_;
+  ComplexShiftSolver<R, N> complex_;
+};
+
+}  // namespace lubjoint

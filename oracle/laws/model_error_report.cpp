@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "lubjoint/film/law_list.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/laws/model_error.hpp"
+#include "oracle/plot/gnuplot.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+constexpr double degrees = 180 / boost::math::constants::pi<double>();
+
+/// "a, b and c", or "none".
+std::string joined(const std::vector<std::string>& names) {
+  if (names.empty()) return "none";
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+/// Which laws are within a bound, at how many of the states, and in which directions of motion.
+std::string within_sentences(const std::vector<ModelErrorSummary>& summaries, oracle::FiniteFilm film) {
+  std::string text;
+  const std::array<const char*, 3> bounds = {"5 %", "10 %", "25 %"};
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    std::vector<const ModelErrorSummary*> within;
+    for (const ModelErrorSummary& summary : summaries) {
+      if (summary.film == film && summary.share_within[i] >= 0.005) within.push_back(&summary);
+    }
+    std::sort(within.begin(), within.end(),
+              [i](const auto* x, const auto* y) { return x->share_within[i] > y->share_within[i]; });
+    std::vector<std::string> named;
+    named.reserve(within.size());
+    for (const ModelErrorSummary* s : within) {
+      named.push_back(fmt::format("{} at {:.0f} % of the states (closing {:.0f} %, sliding {:.0f} %, opening {:.0f} %)",
+                                  s->law, 100 * s->share_within[i], 100 * s->by_direction[i][0],
+                                  100 * s->by_direction[i][1], 100 * s->by_direction[i][2]));
+    }
+    text += fmt::format("Within {} of {}: {}.\n", bounds[i], name_of(film), named.empty() ? "no law" : joined(named));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string model_warning(const SceneJoint& joint, const VisitedModelError& error) {
+  if (error.states == 0 || error.median <= 0.25) return {};
+  return fmt::format(
+      "warning: at the states that this run visits, law {} of joint \"{}\" is {:.0f} % off the force of a film of the "
+      "bearing's real length, L/D = {:.2f} (median of {} states; largest {:.0f} %, at eccentricity ratio {:.3f}). "
+      "lubjoint model-error says more.",
+      joint.film, joint.name, 100 * error.median, joint.length / (2 * joint.journal_radius), error.states,
+      100 * error.largest, error.eccentricity_ratio_of_largest);
+}
+
+std::string model_error_table(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
+                              const std::vector<LoadedState>& loaded) {
+  std::string text = fmt::format(
+      "Force laws against the film of finite length, L/D = {:.4g}\n"
+      "error: |F_law - F|/|F| over eccentricity ratios and directions of motion with equal weight\n\n"
+      "{:<17} {:<18} {:>8} {:>9} {:>8} {:>8} {:>8} {:>16}\n",
+      bearing.length() / (2 * bearing.radius()), "film", "law", "median", "largest", "<= 5 %", "<= 10 %", "<= 25 %",
+      "b >= 0, <= 25 %");
+  for (const ModelErrorSummary& s : summaries) {
+    const std::string safe = s.safe_ratio ? fmt::format("to e/c {:.2f}", *s.safe_ratio) : "nowhere";
+    text += fmt::format("{:<17} {:<18} {:>7.1f}% {:>8.0f}% {:>7.0f}% {:>7.0f}% {:>7.0f}% {:>16}\n", name_of(s.film),
+                        s.law, 100 * s.median, 100 * s.largest, 100 * s.share_within[0], 100 * s.share_within[1],
+                        100 * s.share_within[2], safe);
+  }
+  text += '\n';
+  for (const oracle::FiniteFilm film : compared_films) text += within_sentences(summaries, film);
+  text += "closing, sliding, opening: u within 60 deg of e, across it, within 60 deg against it.\n";
+  if (loaded.empty()) return text;
+  text +=
+      fmt::format("\nEquilibrium under the given load\n{:<44} {:>10} {:>16}\n", "law or film", "e/c", "attitude [deg]");
+  for (const LoadedState& state : loaded) {
+    text += fmt::format("{:<44} {:>10.4f} {:>16.2f}\n", state.name, state.eccentricity_ratio, degrees * state.attitude);
+  }
+  return text;
+}
+
+std::string model_error_csv(const std::vector<ModelErrorEntry>& map) {
+  std::string csv = "law,film,eccentricity_ratio,direction_deg,error,uncertainty\n";
+  for (const ModelErrorEntry& entry : map) {
+    csv += fmt::format("{},{},{},{},{},{}\n", entry.law, name_of(entry.film), entry.eccentricity_ratio,
+                       degrees * entry.direction, entry.error, entry.uncertainty);
+  }
+  return csv;
+}
+
+std::vector<std::string> draw_model_error(const std::vector<ModelErrorEntry>& map,
+                                          const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const oracle::FiniteFilm film : compared_films) {
+    Plot plot;
+    plot.width = 1500;
+    plot.height = 720;
+    plot.script =
+        "set multiplot layout 2,4 title 'Error of each law against " + std::string(name_of(film)) +
+        ", by eccentricity ratio and direction of motion (0: closing, -90: wedge, -180: opening)' noenhanced\n"
+        "set xlabel 'e/c [-]'\nset ylabel 'direction [deg]'\nset xrange [0:1]\nset yrange [-187.5:7.5]\n"
+        "set ytics 45\nset logscale cb\nset cbrange [0.01:10]\nset cblabel 'error [-]'\n"
+        "set format cb '%g'\nset palette defined (0 '#fde725', 1 '#35b779', 2 '#31688e', 3 '#440154')\n"
+        "unset key\nset tics out nomirror\n";
+    for (const std::string_view law : film_law_names) {
+      plot.script += "set title '" + std::string(law) + "' noenhanced\n$data << EOD\n";
+      double last = -1;
+      for (const ModelErrorEntry& entry : map) {
+        if (entry.law != law || entry.film != film) continue;
+        if (last >= 0 && entry.eccentricity_ratio != last) plot.script += '\n';
+        last = entry.eccentricity_ratio;
+        plot.script += fmt::format("{} {} {}\n", entry.eccentricity_ratio, degrees * entry.direction,
+                                   std::clamp(entry.error, 0.01, 10.0));
+      }
+      plot.script += "EOD\nplot $data using 1:2:3 with image\n";
+    }
+    plot.script += "unset multiplot\n";
+    const std::string name = "model-error-" + std::string(name_of(film));
+    draw(plot, folder, name);
+    files.push_back(name + ".svg");
+    files.push_back(name + ".png");
+  }
+  return files;
+}
+
+}  // namespace lubjoint::reports

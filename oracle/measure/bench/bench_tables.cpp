@@ -1,0 +1,166 @@
+#include "oracle/measure/bench/bench_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/measure/bench/equal_error.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+constexpr std::string_view own_default = "radau_iia5";
+
+/// Two digits, and no exponent.
+std::string brief(double value) { return value < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value); }
+
+std::string milliseconds(double seconds) { return brief(1e3 * seconds); }
+
+std::string milliseconds(const std::optional<Contender>& contender) {
+  return contender ? milliseconds(contender->seconds) : "-";
+}
+
+/// How many times as long as another one; a dash unless both are there.
+std::string times_as_long(const std::optional<Contender>& one, const std::optional<Contender>& other) {
+  return one && other ? brief(one->seconds / other->seconds) : "-";
+}
+
+std::string reference_words(const BenchReference& reference) {
+  return fmt::format("{}, its two methods {:.1e} apart",
+                     reference.golden ? "the golden trajectory" : "two integrators of extended precision",
+                     reference.agreement);
+}
+
+void add_race(const std::vector<BenchRow>& rows, const Race& race, std::string& text) {
+  text += fmt::format("  {:<26}{:>10}{:>10}{:>10}{:>10}{:>12}{:>12}{:>12}\n", race.formulation + " coordinates", "1e-3",
+                      "1e-5", "1e-7", "1e-9", "least error", "Radau x1e-5", "x1e-9");
+  for (const std::string& method : integrators_of(rows, race)) {
+    const auto at = [&](double error) { return time_at_error(rows, race, method, error); };
+    const auto against = [&](double error) {
+      return times_as_long(at(error), time_at_error(rows, race, std::string(own_default), error));
+    };
+    const auto floor = error_floor(rows, race, method);
+    text += fmt::format("    {:<24}{:>10}{:>10}{:>10}{:>10}{:>12}{:>12}{:>12}\n", method, milliseconds(at(1e-3)),
+                        milliseconds(at(1e-5)), milliseconds(at(1e-7)), milliseconds(at(1e-9)),
+                        floor ? fmt::format("{:.1e}", *floor) : "-", against(1e-5), against(1e-9));
+  }
+  for (const double error : judged_errors) {
+    const RaceVerdict verdict = judge_race(rows, race, error);
+    text += fmt::format("    use for {:.0e}: {}\n", error, recommendation(verdict));
+  }
+}
+
+std::string winners_words(const RaceVerdict& verdict) {
+  std::string names;
+  for (const Contender& each : verdict.winners()) names += (names.empty() ? "" : " = ") + each.integrator;
+  if (names.empty()) return "–";
+  if (verdict.order.front().integrator == own_default) return names;
+  return fmt::format("{}, {} ms", names, milliseconds(verdict.order.front().seconds));
+}
+
+/// "2.4 ida": how many times as long as Radau the fastest of a camp takes.
+std::string opponent_words(const RaceVerdict& verdict, Camp camp) {
+  const auto opponent = verdict.fastest(camp);
+  const auto radau = verdict.of(own_default);
+  if (!opponent) return "–";
+  const std::string name = camp == Camp::simbody ? "" : " " + opponent->integrator;
+  if (!radau) return milliseconds(opponent->seconds) + " ms" + name;
+  return times_as_long(opponent, radau) + name;
+}
+
+/// "radau_iia5 19, cvode_adams 4, ..." of all verdicts, the most frequent first.
+std::string wins(const std::vector<RaceVerdict>& verdicts) {
+  std::map<std::string, int> count;
+  for (const RaceVerdict& verdict : verdicts) {
+    for (const Contender& each : verdict.winners()) ++count[each.integrator];
+  }
+  std::vector<std::pair<std::string, int>> order(count.begin(), count.end());
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [name, times] : order) text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", name, times);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vector<BenchReference>& references) {
+  std::string text =
+      "Milliseconds to reach an error, between tolerances on a log-log line; processor time of the integration alone, "
+      "medians. The\n"
+      "error is the largest |e - e_ref|/c at the reference's times, or with ideal joints of a position over the "
+      "mechanism's size "
+      "and\nof an angle. Radau x: how many times as long as radau_iia5. -: does not get there, or was not run.\n";
+  std::string scene;
+  for (const Race& race : races(rows)) {
+    if (race.scene != scene) {
+      scene = race.scene;
+      text += "\n" + scene;
+      const auto known = std::ranges::find(references, scene, &BenchReference::scene);
+      if (known != references.end()) text += ": " + reference_words(*known);
+      text += "\n";
+    }
+    add_race(rows, race, text);
+  }
+  const auto ran = [&](Camp camp) {
+    return std::ranges::any_of(rows, [&](const BenchRow& row) { return camp_of(row.integrator) == camp; });
+  };
+  if (!ran(Camp::sundials)) text += "\nCVODE and IDA did not race (cmake -DLUBJOINT_SUNDIALS=ON builds them in)\n";
+  if (!ran(Camp::simbody)) text += "\nSimbody did not race (cmake -DLUBJOINT_SIMBODY=ON builds it in)\n";
+  return text;
+}
+
+std::string scene_bench_markdown(const std::vector<BenchRow>& rows) {
+  std::string text = "| scene | coordinates |";
+  std::string rule = "|---|---|";
+  for (const double error : judged_errors) {
+    text += fmt::format(" {:.0e}: Radau, ms | CVODE, IDA | Simbody | fastest |", error);
+    rule += "---|---|---|---|";
+  }
+  text += "\n" + rule + "\n";
+  std::vector<RaceVerdict> verdicts;
+  for (const Race& race : races(rows)) {
+    text += fmt::format("| {} | {} |", race.scene, race.formulation == "journal" ? "own" : race.formulation);
+    for (const double error : judged_errors) {
+      const RaceVerdict verdict = judge_race(rows, race, error);
+      const auto radau = verdict.of(own_default);
+      text += fmt::format(" {} | {} | {} | {} |", radau ? milliseconds(radau->seconds) : "–",
+                          opponent_words(verdict, Camp::sundials), opponent_words(verdict, Camp::simbody),
+                          winners_words(verdict));
+      verdicts.push_back(verdict);
+    }
+    text += "\n";
+  }
+  text += fmt::format("\nFastest, in how many of these {} cells: {}.\n", verdicts.size(), wins(verdicts));
+  std::string elsewhere;
+  for (const RaceVerdict& verdict : verdicts) {
+    const std::vector<Contender> first = verdict.winners();
+    if (std::ranges::any_of(first, [](const Contender& c) { return camp_of(c.integrator) == Camp::own; })) continue;
+    if (first.empty()) continue;
+    elsewhere += fmt::format("- {}, {} coordinates, {:.0e}: {}\n", verdict.race.scene, verdict.race.formulation,
+                             verdict.error, recommendation(verdict));
+  }
+  if (!elsewhere.empty()) text += "Where none of lubjoint's own is the fastest:\n\n" + elsewhere;
+  return text;
+}
+
+std::string with_bench_block(std::string_view text, const std::string& block) {
+  const std::size_t begin = text.find(bench_block_begin);
+  const std::size_t end = text.find(bench_block_end);
+  const bool once = begin != text.npos && end != text.npos && begin < end &&
+                    text.find(bench_block_begin, begin + 1) == text.npos &&
+                    text.find(bench_block_end, end + 1) == text.npos;
+  if (!once) {
+    throw std::invalid_argument("the marks of the table are missing or there twice; allowed is a text with the lines " +
+                                std::string(bench_block_begin.substr(0, bench_block_begin.size() - 1)) + " and " +
+                                std::string(bench_block_end.substr(0, bench_block_end.size() - 1)) +
+                                ", once each and in this order");
+  }
+  std::string result(text.substr(0, begin + bench_block_begin.size()));
+  return result + block + std::string(text.substr(end));
+}
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,346 @@
+#include "oracle/measure/scene_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "lubjoint/multibody/assembly.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
+#include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "lubjoint/scene/start_check.hpp"
+#include "oracle/measure/timing.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+constexpr double batch_seconds = 2e-4;
+
+/// A scene's general equations at a state at which no joint is concentric or at rest: there laws have short cuts.
+struct GeneralEquations {
+  GeneralEquations(const Scene& scene)
+      : system(planar_system<double>(scene)), ode(system, scene.energy_ledger), y(scene_start<double>(scene)) {
+    const std::vector<double> start = y;
+    const SceneUnits units = scene_units(scene);
+    double shift = 0.3 * units.length;
+    do {
+      const std::size_t n = system.coordinates();
+      for (std::size_t i = 0; i < n; ++i) {
+        const double each =
+            std::sin(1.0 + 2.4 * static_cast<double>(i)) * (i % 3 == 2 ? units.angle / units.length : 1.0);
+        y[i] = start[i] + shift * each;
+        y[n + i] = start[n + i] + shift * units.rate * each;
+      }
+      shift /= 10;
+    } while (!has_films() && shift > 1e-6 * units.length);
+    y.resize(ode.dimension(), 0.0);
+    rate = y;
+  }
+  GeneralEquations(const GeneralEquations&) = delete;
+  GeneralEquations& operator=(const GeneralEquations&) = delete;
+
+  /// Moves a joint's journal (or bearing) so that |e| is a distance, and says which phase of its contact holds.
+  void put(std::size_t joint, double distance, ContactPhase phase) {
+    const JointElement<double>& element = system.joints()[joint];
+    const Vector2<double> e = ode.at(0.0, y).joints[joint].kinematics.motion.eccentricity;
+    const bool journal_moves = element.journal_at.body != ground_body;
+    const std::size_t body = journal_moves ? element.journal_at.body : element.bearing_at.body;
+    const Vector2<double> move = (journal_moves ? 1.0 : -1.0) * (distance / e.norm() - 1.0) * e;
+    y[3 * body] += move.x();
+    y[3 * body + 1] += move.y();
+    ode.memory()[joint].phase = phase;
+  }
+
+  TimedPiece right_hand_side() {
+    return repeated([this] { ode.rate(y, rate, 0.0); });
+  }
+
+  PlanarSystem<double> system;
+  MultibodyOde<double> ode;
+  std::vector<double> y;
+  std::vector<double> rate;
+
+ private:
+  bool has_films() {
+    try {
+      ode.at(0.0, y);
+      return true;
+    } catch (const std::domain_error&) {
+      return false;
+    }
+  }
+};
+
+/// Everything that is timed, and what to do with each time when it is there.
+class Measurement {
+ public:
+  template <class Use>
+  void add(TimedPiece piece, Use use) {
+    pieces_.push_back(std::move(piece));
+    uses_.push_back(std::move(use));
+  }
+  GeneralEquations& keep(const Scene& scene) {
+    kept_.push_back(std::make_unique<GeneralEquations>(scene));
+    return *kept_.back();
+  }
+
+  /// The first piece is the whole right-hand side.
+  void run(std::size_t rounds) {
+    const std::vector<Timing> timings = time_in_turn(pieces_, rounds, batch_seconds);
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+      uses_[i](timings[i].nanoseconds(), timings[i].ratio_to(timings.front()));
+    }
+  }
+
+ private:
+  std::vector<TimedPiece> pieces_;
+  std::vector<std::function<void(double, double)>> uses_;
+  std::vector<std::unique_ptr<GeneralEquations>> kept_;
+};
+
+// Variants of a scene.
+
+bool is_pin(const SceneConstraint& each) { return std::holds_alternative<SceneRevolute>(each.kind); }
+
+SceneContact steel() { return {207e9, 0.3, 207e9, 0.3, 0.9, 1e-3, 0.0, 1e-3}; }
+
+Scene with_contact(Scene scene) {
+  for (SceneJoint& joint : scene.joints) {
+    joint.transition = SceneTransition{joint.clearance / 40, joint.clearance / 20};
+    joint.contact = steel();
+  }
+  return scene;
+}
+
+Scene without_contact(Scene scene) {
+  std::erase_if(scene.joints, [](const SceneJoint& joint) { return joint.film == no_film; });
+  for (SceneJoint& joint : scene.joints) {
+    joint.transition.reset();
+    joint.contact.reset();
+  }
+  return scene;
+}
+
+Scene with_lubricated_pins(Scene scene) {
+  SceneJoint model;
+  model.film = PinkusSternlicht::name;
+  model.viscosity = 0.4;
+  model.length = 0.04;
+  model.journal_radius = 0.0098;
+  model.clearance = 0.0002;
+  for (const SceneConstraint& each : scene.constraints) {
+    if (!is_pin(each)) continue;
+    const auto& pin = std::get<SceneRevolute>(each.kind);
+    model.name = each.name;
+    model.bearing = pin.first;
+    model.journal = pin.second;
+    scene.joints.push_back(model);
+  }
+  std::erase_if(scene.constraints, is_pin);
+  return scene;
+}
+
+Scene with_ideal_joints(Scene scene) {
+  for (const SceneJoint& joint : scene.joints) {
+    scene.constraints.push_back({joint.name, SceneRevolute{joint.bearing, joint.journal}});
+  }
+  scene.joints.clear();
+  return scene;
+}
+
+/// Adds the right-hand side in the transition and in the dry contact of the first joint that has them.
+void add_phases(const Scene& scene, SceneCost& cost, Measurement& measurement) {
+  const auto joint =
+      std::ranges::find_if(scene.joints, [](const SceneJoint& each) { return each.contact.has_value(); });
+  if (joint == scene.joints.end()) return;
+  const double e0 = joint->transition ? joint->transition->e0 : joint->clearance / 40;
+  const bool in_scene = cost.contacts > 0;
+  const auto add = [&](const std::string& what, double depth, ContactPhase phase) {
+    GeneralEquations& equations = measurement.keep(scene);
+    equations.put(static_cast<std::size_t>(joint - scene.joints.begin()), joint->clearance + depth, phase);
+    const std::string name = what + " of joint \"" + joint->name + "\"";
+    measurement.add(equations.right_hand_side(), [&cost, name, in_scene](double time, double ratio) {
+      if (in_scene) {
+        cost.phases.push_back({"in the " + name, time, ratio});
+      } else {
+        cost.variants.push_back({"contact", false, "the same, in the " + name, time, ratio});
+      }
+    });
+  };
+  if (joint->transition) add("transition", e0 / 2, ContactPhase::blend);
+  add("dry contact", 2 * e0, ContactPhase::dry);
+}
+
+/// Adds the scene with one thing more or less.
+void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement) {
+  const auto add = [&](const std::string& feature, bool in_scene, const std::string& change, const Scene& variant) {
+    measurement.add(measurement.keep(variant).right_hand_side(),
+                    [&cost, feature, in_scene, change](double time, double ratio) {
+                      cost.variants.push_back({feature, in_scene, change, time, ratio});
+                    });
+  };
+  if (cost.free_journal) {
+    add("constrained equations", false, "three coordinates a body, forces at arms, in place of the journal's own",
+        scene);
+  }
+  Scene ledger = scene;
+  ledger.energy_ledger = !scene.energy_ledger;
+  add("energy ledger", scene.energy_ledger, "work of each term integrated along", ledger);
+  const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
+  if (std::ranges::any_of(scene.joints, has_film)) {
+    const bool in_scene =
+        std::ranges::any_of(scene.joints, [](const SceneJoint& joint) { return joint.shear.has_value(); });
+    Scene shear = scene;
+    for (SceneJoint& joint : shear.joints) {
+      joint.shear.reset();
+      if (!in_scene && has_film(joint)) joint.shear = ShearExtent::film;
+    }
+    add("shear", in_scene, in_scene ? "no friction torque" : "friction torque of every film", shear);
+  }
+  if (cost.contacts > 0) {
+    add("contact", true, "films alone; dry joints left out", without_contact(scene));
+  } else if (!scene.joints.empty()) {
+    add("contact", false, "steel, with a transition; journals inside their clearance", with_contact(scene));
+  }
+  add_phases(cost.contacts > 0 ? scene : with_contact(scene), cost, measurement);
+  const std::size_t pins = static_cast<std::size_t>(std::ranges::count_if(scene.constraints, is_pin));
+  if (pins > 0)
+    add("film in ideal pins", false, std::to_string(pins) + " pins lubricated", with_lubricated_pins(scene));
+  if (!scene.joints.empty()) {
+    add("joints with clearance", true, std::to_string(scene.joints.size()) + " made ideal pins",
+        with_ideal_joints(scene));
+  }
+  if (scene.constraints.empty()) return;
+  Scene keeping = scene;
+  const bool baumgarte = scene.stabilisation.alpha != 0 || scene.stabilisation.beta != 0;
+  keeping.stabilisation = baumgarte ? SceneStabilisation{true, 0, 0} : SceneStabilisation{false, 5, 5};
+  add("Baumgarte's terms", baumgarte, "constraints kept by the accelerations", keeping);
+}
+
+void count_scene(const Scene& scene, SceneCost& cost) {
+  cost.scene = scene.name;
+  cost.bodies = scene.bodies.size();
+  cost.constraints = scene.constraints.size();
+  cost.loads = scene.loads.size();
+  cost.weights = scene.gravity.norm() > 0 ? scene.bodies.size() : 0;
+  cost.ledger_terms = scene.energy_ledger ? ledger_terms : 0;
+  for (const SceneJoint& joint : scene.joints) {
+    if (joint.contact) {
+      ++cost.contacts;
+      cost.contact_seams += joint.transition ? 2 : 1;
+    }
+    if (joint.film == no_film) continue;
+    const auto known = std::ranges::find_if(cost.films, [&](const auto& film) { return film.first == joint.film; });
+    if (known == cost.films.end()) {
+      cost.films.emplace_back(joint.film, 1);
+    } else {
+      ++known->second;
+    }
+  }
+}
+
+std::size_t nonzeros(const Eigen::MatrixXd& matrix) { return static_cast<std::size_t>((matrix.array() != 0).count()); }
+
+/// Parts, Jacobian and upkeep of the general equations.
+void measure_general(const Scene& scene, SceneCost& cost, Measurement& measurement) {
+  GeneralEquations& equations = measurement.keep(scene);
+  PlanarSystem<double>& system = equations.system;
+  MultibodyOde<double>& ode = equations.ode;
+  cost.coordinates = system.coordinates();
+  cost.states = ode.dimension();
+  cost.constraint_rows = system.constraint_rows();
+  cost.schur_stored = ode.at(0.0, equations.y).schur.stored();
+  cost.constraint_nonzeros = nonzeros(detail::scaled_constraint_matrix(system, ode.workspace()));
+  auto jacobian = std::make_shared<Eigen::MatrixXd>();
+  ode.jacobian(equations.y, *jacobian, 0.0);
+  cost.rate_nonzeros = nonzeros(*jacobian);
+  const std::size_t group = MultibodyOde<double>::jacobian_group;
+  cost.jacobian_passes = (ode.mechanical_states() + group - 1) / group;
+
+  measurement.add(equations.right_hand_side(), [&cost](double time, double) { cost.nanoseconds = time; });
+  const auto part = [&](const std::string& name, TimedPiece piece) {
+    measurement.add(std::move(piece), [&cost, name](double time, double share) {
+      cost.parts.push_back({name, time, share});
+    });
+  };
+  SystemWorkspace<double>& w = ode.workspace();
+  const double* y = equations.y.data();
+  part("frames", repeated([&system, &w, y] { system.place(y, w); }));
+  part("loads and joint forces", repeated([&system, &ode, &w] { system.apply_forces(ode.memory(), w); }));
+  if (cost.constraint_rows > 0) {
+    part("constraint rows", repeated([&system, &w] { system.evaluate_constraints(0.0, w); }));
+    part("assembly and factorisation", repeated([&system, &w] { system.factorise(w); }));
+    part("solve", repeated([&system, &w] { system.solve(w); }));
+  }
+  measurement.add(repeated([&equations, &ode, jacobian] { ode.jacobian(equations.y, *jacobian, 0.0); }),
+                  [&cost](double time, double ratio) {
+                    cost.jacobian_nanoseconds = time;
+                    cost.jacobian_ratio = ratio;
+                  });
+  if (cost.constraint_rows == 0) return;
+  GeneralEquations& projected = measurement.keep(scene);
+  measurement.add(repeated([&projected] {
+                    project_onto_constraints(projected.system, 0.0, projected.y, projected.ode.workspace());
+                  }),
+                  [&cost](double time, double ratio) {
+                    cost.steps.push_back({"projection onto the constraints", time, ratio});
+                  });
+}
+
+template <FilmLaw Law>
+void measure_journal(const Scene& scene, SceneCost& cost, Measurement& measurement) {
+  const JournalScene parts = journal_scene(scene);
+  const auto journal =
+      std::make_shared<FreeJournal<Law>>(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
+  cost.coordinates = 2;
+  cost.states = 4;
+  cost.film_jumps = PolarLaw<Law> ? 1 : 0;
+  const double rate = std::max(1.0, std::abs(parts.drive.mean_spin()));
+  const auto y = std::make_shared<JournalState<double>>(JournalState<double>{0.3, 0.2, 0.1 * rate, -0.2 * rate});
+  const auto dydt = std::make_shared<JournalState<double>>();
+  const auto jacobian = std::make_shared<Eigen::Matrix4d>();
+  const auto fill_jacobian = [journal, y, jacobian] {
+    exact_jacobian([&](const auto& x, auto& dxdt) { journal->rate(x, dxdt); }, *y, *jacobian);
+  };
+  fill_jacobian();
+  cost.rate_nonzeros = nonzeros(*jacobian);
+  cost.jacobian_passes = 1;
+  measurement.add(repeated([journal, y, dydt] { journal->rate(*y, *dydt); }),
+                  [&cost](double time, double) { cost.nanoseconds = time; });
+  const auto force = std::make_shared<Vector2<double>>();
+  measurement.add(repeated([journal, y, force] { *force = journal->force(*y); }), [&cost](double time, double share) {
+    cost.parts.push_back({"film force", time, share});
+  });
+  measurement.add(repeated(fill_jacobian), [&cost](double time, double ratio) {
+    cost.jacobian_nanoseconds = time;
+    cost.jacobian_ratio = ratio;
+  });
+}
+
+}  // namespace
+
+SceneCost scene_cost(const Scene& scene, std::size_t rounds) {
+  require_start(scene);
+  SceneCost cost;
+  cost.free_journal = is_free_journal(scene);
+  count_scene(scene, cost);
+  Measurement measurement;
+  if (cost.free_journal) {
+    with_film_law(scene.joints.front().film, [&]<class Law>() { measure_journal<Law>(scene, cost, measurement); });
+  } else {
+    measure_general(scene, cost, measurement);
+  }
+  add_variants(scene, cost, measurement);
+  measurement.run(rounds);
+  CostPart rest{cost.ledger_terms > 0 ? "copies and ledger" : "copies", cost.nanoseconds, 1};
+  for (const CostPart& part : cost.parts) {
+    rest.nanoseconds -= part.nanoseconds;
+    rest.share -= part.share;
+  }
+  cost.parts.push_back(rest);
+  return cost;
+}
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,54 @@
+#include "oracle/page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/files/files.hpp"
+#include "oracle/page/html.hpp"
+#include "oracle/page/resources.hpp"
+#include "oracle/page/sections.hpp"
+
+namespace lubjoint::reports::page {
+
+bool Content::passed() const {
+  const bool proved =
+      !proofs || std::all_of(proofs->begin(), proofs->end(), [](const auto& p) { return p.as_expected; });
+  const bool stable = !stability || std::none_of(stability->rows.begin(), stability->rows.end(),
+                                                 [](const auto& row) { return row.status == RowStatus::wrong; });
+  return journal.passed() && slider_crank.passed() && laws.passed() && proved && stable;
+}
+
+std::string report_page(const Content& content) {
+  const std::vector<Section> sections = {
+      verdict_section(content),     motion_section(content),      journal_section(content),
+      equilibrium_section(content), losses_section(content),      slider_crank_section(content),
+      laws_section(content),        model_error_section(content), proofs_section(content),
+      run_time_section(content),    stability_section(content),   verify_section(),
+      provenance_section(content),
+  };
+  std::string contents;
+  std::string html;
+  for (const Section& section : sections) {
+    contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));
+    html += fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
+        section.id, escaped(section.title), section.html);
+  }
+  std::string scripts;
+  for (const char* script : {"page.js", "run_time.js", "stability.js", "animation.js"}) scripts += resource(script);
+  return filled("page.html", {{"style", std::string(resource("page.css"))},
+                              {"version", escaped(content.provenance.version)},
+                              {"contents", contents},
+                              {"sections", html},
+                              {"scripts", scripts}});
+}
+
+std::string write_page(const Content& content, const std::filesystem::path& folder) {
+  prepare_folder(folder);
+  std::string name = "report.html";
+  write_file(folder / name, report_page(content));
+  return name;
+}
+
+}  // namespace lubjoint::reports::page

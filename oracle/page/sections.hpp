@@ -1,0 +1,50 @@
+/// The page's sections, one file each, in the order of the page.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "oracle/page/html.hpp"
+#include "oracle/page/page.hpp"
+#include "oracle/results/check.hpp"
+
+namespace lubjoint::reports::page {
+
+struct Section {
+  std::string id;
+  std::string title;
+  std::string html;
+};
+
+Section verdict_section(const Content& content);
+Section motion_section(const Content& content);
+Section journal_section(const Content& content);
+Section equilibrium_section(const Content& content);
+Section losses_section(const Content& content);
+Section slider_crank_section(const Content& content);
+Section laws_section(const Content& content);
+Section model_error_section(const Content& content);
+Section proofs_section(const Content& content);
+Section run_time_section(const Content& content);
+Section stability_section(const Content& content);
+Section verify_section();
+Section provenance_section(const Content& content);
+
+/// A law in words: "long bearing, full film".
+std::string law_words(std::string_view law);
+
+/// A verdict as a cell: the letters of what it rests on, what failed, or a dash where nothing was checked.
+Cell agreement(const Verdict& verdict);
+
+/// What the letters stand for: a table with a row for each check of the verdicts, which have the same checks.
+std::string checks_table(const std::string& caption, const std::vector<const Verdict*>& verdicts);
+
+/// The paragraph "Checked: …" of a figure: some of the verdicts' checks, by what they judge.
+/// @throws std::logic_error for a check that the verdicts do not have
+std::string checked_words(const std::vector<const Verdict*>& verdicts, const std::vector<std::string>& whats);
+
+/// What the runs of the animation look like, as JSON for animation.js (described there).
+std::string animation_json(const Example1& journal, const Example2& slider_crank);
+
+}  // namespace lubjoint::reports::page

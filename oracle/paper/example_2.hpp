@@ -1,0 +1,59 @@
+/// Example 2 of the paper: the slider-crank with a lubricated gudgeon pin, checked against minimal coordinates.
+#pragma once
+
+#include <complex>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/plot/figure.hpp"
+#include "oracle/results/check.hpp"
+
+namespace lubjoint::reports {
+
+/// The motion that repeats itself, and what becomes of a small deviation from it in one revolution.
+struct PeriodicOrbit {
+  double residual = 0;                            ///< |P(y) − y| of the revolution map, in clearances
+  double distance = 0;                            ///< of the run's last state from it, |Δê|
+  std::vector<std::complex<double>> multipliers;  ///< of the revolution map, largest first
+};
+
+/// One set of clearance and viscosity.
+struct Example2Case {
+  Scene scene;
+  MultibodyTrajectory run;
+  double repeat_difference = 0;  ///< largest |Δê| of the second revolution to the first
+  double swapped_ratio = 0;      ///< largest |Δε| when bearing and journal change bodies
+  double swapped_force = 0;      ///< peak force then [N]
+  PeriodicOrbit orbit;           ///< in minimal coordinates
+  Verdict verdict;
+};
+
+struct Example2 {
+  MultibodyTrajectory ideal;
+  double ideal_force = 0;   ///< peak force on the ideal gudgeon pin, closed form [N]
+  double ideal_moment = 0;  ///< peak driving moment, closed form [N m]
+  Verdict ideal_verdict;    ///< of the ideal mechanisms
+  std::vector<Example2Case> cases;
+
+  std::vector<const Verdict*> verdicts() const;  ///< in the order of the cases
+  bool passed() const;
+};
+
+/// All parameter sets, on all cores. @param scenes  folder with the slider-crank scenes
+Example2 run_example_2(const std::filesystem::path& scenes);
+
+std::string example_2_table(const Example2& example);
+std::string example_2_csv(const Example2& example);
+std::string example_2_checks_csv(const Example2& example);
+
+enum class SliderCrankQuantity { force, moment, orbit, film };
+
+/// The paper's figures 13 to 21 by quantity: a panel a parameter set, in the order of the cases.
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity);
+
+/// Trajectories, the summary and the figures 13 to 21, into a folder. @returns the files written
+std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder);
+
+}  // namespace lubjoint::reports

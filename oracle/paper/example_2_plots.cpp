@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "oracle/files/files.hpp"
+#include "oracle/paper/example_2.hpp"
+#include "oracle/paper/slider_crank_reference.hpp"
+#include "oracle/results/multibody_report.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+constexpr double degrees = 180 / boost::math::constants::pi<double>();
+
+/// One panel a parameter set; `script(item)` is what it plots.
+template <class Script>
+Figure figure_of(const Example2& example, const std::string& title, const std::string& axes, const Script& script) {
+  Figure figure{title, plain_axes + axes, {}};
+  for (const Example2Case& item : example.cases) {
+    const SceneJoint& joint = item.scene.joints[0];
+    figure.panels.push_back(
+        {fmt::format("c = {:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity), script(item)});
+  }
+  return figure;
+}
+
+/// Rows "x y" of a data block. @param point  point(sample) gives x and y
+template <class Point>
+std::string block(const char* name, const std::vector<MultibodySample>& samples, const Point& point) {
+  std::string data = fmt::format("${} << EOD\n", name);
+  for (const MultibodySample& sample : samples) {
+    const auto [x, y] = point(sample);
+    data += fmt::format("{:.7g} {:.7g}\n", x, y);
+  }
+  return data + "EOD\n";
+}
+
+const std::string against_angle = "set xlabel 'crank angle φ [°]'\nset xrange [0:720]\nset xtics 90\n";
+const std::string lubricated = "$data with lines lw 1.5 lc rgb '#0072b2' ";
+const std::string reference = "with lines lw 1.2 dt 2 lc rgb '#d55e00' ";
+
+}  // namespace
+
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity) {
+  if (example.cases.empty()) return {};
+  const double speed = crank_speed_of(example.cases.front().scene);
+  const auto mechanism = slider_crank_of(example.cases.front().scene);
+  const auto angle = [&](const MultibodySample& s) { return degrees * speed * s.t; };
+  const auto closed = [&](const MultibodySample& s) {
+    return mechanisms::ideal_reactions<double>(mechanism, {speed * s.t, speed, 0});
+  };
+  const auto ideal = [&](const auto& value) {
+    return block("ideal", example.ideal.samples, [&](const auto& s) { return std::pair(angle(s), value(s)); });
+  };
+  switch (quantity) {
+    case SliderCrankQuantity::force:
+      return figure_of(
+          example, "Force in the gudgeon pin (dashed: ideal joint)", against_angle + "set ylabel '|F| [kN]'\n",
+          [&](const Example2Case& item) {
+            return ideal([&](const auto& s) { return closed(s).gudgeon_pin.norm() / 1e3; }) +
+                   block("data", item.run.samples,
+                         [&](const auto& s) { return std::pair(angle(s), s.joints[0].force.norm() / 1e3); }) +
+                   "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+          });
+    case SliderCrankQuantity::moment:
+      return figure_of(example, "Driving moment on the crank (dashed: ideal joint)",
+                       against_angle + "set ylabel 'M [N·m]'\n", [&](const Example2Case& item) {
+                         return ideal([&](const auto& s) { return closed(s).driving_moment; }) +
+                                block("data", item.run.samples,
+                                      [&](const auto& s) { return std::pair(angle(s), s.driving_moments[0]); }) +
+                                "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+                       });
+    case SliderCrankQuantity::orbit:
+      return figure_of(
+          example, "Journal centre in the clearance circle, e/c",
+          "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
+          "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n",
+          [&](const Example2Case& item) {
+            const double c = item.scene.joints[0].clearance;
+            return block("data", item.run.samples,
+                         [&](const auto& s) {
+                           return std::pair(s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c);
+                         }) +
+                   "plot " + lubricated + "notitle, cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle\n";
+          });
+    case SliderCrankQuantity::film:
+      break;
+  }
+  return figure_of(
+      example, "Film thickness (dashed: safe film, 3 µm)",
+      against_angle + "set ylabel 'h_{min} [µm]'\nset logscale y\nset format y '%g'\n", [&](const Example2Case& item) {
+        return block("data", item.run.samples,
+                     [&](const auto& s) { return std::pair(angle(s), 1e6 * s.joints[0].film_thickness); }) +
+               "plot " + lubricated + "notitle, 3 " + reference + "notitle\n";
+      });
+}
+
+std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder) {
+  prepare_folder(folder);
+  std::vector<std::string> files;
+  for (const Example2Case& item : example.cases) {
+    files.push_back(item.scene.name + ".csv");
+    write_file(folder / files.back(), trajectory_csv(item.scene, item.run));
+  }
+  files.push_back("slider-crank-summary.csv");
+  write_file(folder / files.back(), example_2_csv(example));
+  files.push_back("slider-crank-checks.csv");
+  write_file(folder / files.back(), example_2_checks_csv(example));
+  if (example.cases.empty()) return files;
+  const auto sheet = [&](SliderCrankQuantity quantity, const char* name) {
+    draw(on_one_sheet(slider_crank_figure(example, quantity), 2, 3, 1400, 800), folder, name);
+    for (const char* extension : {".svg", ".png"}) files.push_back(std::string(name) + extension);
+  };
+  sheet(SliderCrankQuantity::force, "slider-crank-force");
+  sheet(SliderCrankQuantity::moment, "slider-crank-moment");
+  sheet(SliderCrankQuantity::orbit, "slider-crank-orbit");
+  sheet(SliderCrankQuantity::film, "slider-crank-film");
+  return files;
+}
+
+}  // namespace lubjoint::reports

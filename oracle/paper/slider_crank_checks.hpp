@@ -1,0 +1,24 @@
+/// The checks of example 2. They take what was found and what it is held against, so that a test can falsify either.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/paper/slider_crank_reference.hpp"
+#include "oracle/results/check.hpp"
+
+namespace lubjoint::reports {
+
+/// A run in absolute coordinates against the same mechanism in minimal coordinates: e/c, joint force, driving moment
+/// and film thickness at all output times, and the peaks with their times.
+std::vector<Check> compare_with_minimal_coordinates(const Scene& scene, const MultibodyTrajectory& run,
+                                                    const ReferenceRun& reference);
+
+/// The energy ledger of a run.
+Check energy_check(const MultibodyTrajectory& run, double tolerance);
+
+/// A run with bearing and journal exchanged against minimal coordinates with the bearing on the slider: e/c and peak
+/// force.
+Check swapped_check(const Scene& swapped, const MultibodyTrajectory& run, const ReferenceRun& reference);
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,159 @@
+#include "oracle/results/multibody_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "oracle/results/loss_columns.hpp"
+#include "oracle/results/outcome_words.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+/// Laws of the joints; one name where all are the same.
+std::string laws_of(const Scene& scene) {
+  std::string laws;
+  for (const SceneJoint& joint : scene.joints) {
+    if (laws.empty()) {
+      laws = joint.film;
+    } else if (laws != joint.film) {
+      laws += "+" + joint.film;
+    }
+  }
+  return laws.empty() ? no_film : laws;
+}
+
+template <class... Numbers>
+void append(std::string& csv, const Numbers&... numbers) {
+  (fmt::format_to(std::back_inserter(csv), ",{}", numbers), ...);
+}
+
+}  // namespace
+
+std::string trajectory_csv(const Scene& scene, const MultibodyTrajectory& run) {
+  std::string csv = "t";
+  for (const SceneBody& body : scene.bodies) {
+    csv += fmt::format(",{0}.x,{0}.y,{0}.phi,{0}.vx,{0}.vy,{0}.omega", body.name);
+  }
+  for (const SceneJoint& joint : scene.joints) {
+    csv +=
+        fmt::format(",{0}.ex,{0}.ey,{0}.eccentricity_ratio,{0}.attitude,{0}.fx,{0}.fy,{0}.film_thickness", joint.name);
+    if (joint.shear) csv += loss_header(joint.name);
+  }
+  for (const std::string& driver : run.driver_names) csv += "," + driver + ".moment";
+  if (scene.energy_ledger) {
+    csv += ",energy.kinetic,energy.potential";
+    for (const char* term : ledger_names) csv += fmt::format(",work.{}", term);
+  }
+  csv += '\n';
+  const std::size_t n = 3 * scene.bodies.size();
+  for (const MultibodySample& s : run.samples) {
+    csv += fmt::format("{}", s.t);
+    for (std::size_t i = 0; i < n; i += 3) {
+      append(csv, s.state[i], s.state[i + 1], s.state[i + 2], s.state[n + i], s.state[n + i + 1], s.state[n + i + 2]);
+    }
+    for (std::size_t k = 0; k < s.joints.size(); ++k) {
+      const JointSample& j = s.joints[k];
+      append(csv, j.eccentricity.x(), j.eccentricity.y(), j.eccentricity_ratio,
+             std::atan2(j.eccentricity.y(), j.eccentricity.x()), j.force.x(), j.force.y(), j.film_thickness);
+      if (scene.joints[k].shear) csv += loss_fields(j.losses);
+    }
+    for (const double moment : s.driving_moments) append(csv, moment);
+    for (const double value : s.ledger) append(csv, value);
+    csv += '\n';
+  }
+  return csv;
+}
+
+nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run) {
+  nlohmann::ordered_json joints = nlohmann::ordered_json::array();
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const double c = scene.joints[j].clearance;
+    const JointSample& last = run.samples.back().joints[j];
+    joints.push_back({{"name", scene.joints[j].name},
+                      {"final",
+                       {{"ex_over_c", last.eccentricity.x() / c},
+                        {"ey_over_c", last.eccentricity.y() / c},
+                        {"eccentricity_ratio", last.eccentricity_ratio},
+                        {"fx", last.force.x()},
+                        {"fy", last.force.y()}}},
+                      {"max_eccentricity_ratio", run.joints[j].eccentricity.value / c},
+                      {"max_force", run.joints[j].force.value},
+                      {"t_max_force", run.joints[j].force.t},
+                      {"min_film_thickness", c - run.joints[j].eccentricity.value},
+                      {"t_min_film_thickness", run.joints[j].eccentricity.t}});
+    if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
+  }
+  const auto driver_json = [&](std::size_t d) {
+    return nlohmann::ordered_json{{"name", run.driver_names[d]},
+                                  {"max_moment", run.drivers[d].max_moment.value},
+                                  {"min_moment", run.drivers[d].min_moment.value}};
+  };
+  nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
+  for (std::size_t d = 0; d < run.drivers.size(); ++d) drivers.push_back(driver_json(d));
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
+  for (const ContactEvent& event : run.events) {
+    events.push_back({{"t", event.t},
+                      {"joint", scene.joints[event.joint].name},
+                      {"from", contact_phase_name(event.from)},
+                      {"to", contact_phase_name(event.to)},
+                      {"normal_speed", event.normal_speed},
+                      {"force_jump", event.force_jump}});
+  }
+  nlohmann::ordered_json driver = nullptr;
+  if (!run.drivers.empty()) driver = driver_json(0);
+  nlohmann::ordered_json residual = nullptr;
+  if (run.energy_residual) residual = *run.energy_residual;
+  nlohmann::ordered_json summary = outcome_json(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
+  summary["joints"] = joints;
+  summary["driver"] = driver;
+  summary["drivers"] = drivers;
+  summary["energy_residual"] = residual;
+  summary["energy_scale"] = run.energy_scale;
+  summary["constraint_drift"] = {{"position", run.drift.position}, {"velocity", run.drift.velocity}};
+  summary["start_correction"] = {{"position", run.correction.position},
+                                 {"angle", run.correction.angle},
+                                 {"velocity", run.correction.velocity},
+                                 {"spin", run.correction.spin}};
+  summary["contact_events"] = events;
+  return summary;
+}
+
+std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
+  std::string text = outcome_text(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const double c = scene.joints[j].clearance;
+    const JointSample& last = run.samples.back().joints[j];
+    const JointExtremes& extremes = run.joints[j];
+    text += fmt::format(
+        "joint        {}\n  final      e/c = ({:.6f}, {:.6f}), eccentricity ratio {:.6f}, force ({:.6f}, {:.6f}) N\n"
+        "  extremes   eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
+        scene.joints[j].name, last.eccentricity.x() / c, last.eccentricity.y() / c, last.eccentricity_ratio,
+        last.force.x(), last.force.y(), extremes.eccentricity.value / c, 1e6 * (c - extremes.eccentricity.value),
+        extremes.eccentricity.t, extremes.force.value, extremes.force.t);
+    if (scene.joints[j].shear) text += loss_text(last.losses);
+  }
+  for (std::size_t d = 0; d < run.drivers.size(); ++d) {
+    text += fmt::format("driver       {}: moment from {:.6g} N m to {:.6g} N m\n", run.driver_names[d],
+                        run.drivers[d].min_moment.value, run.drivers[d].max_moment.value);
+  }
+  if (!scene.constraints.empty()) {
+    text += fmt::format(
+        "constraints  drift {:.1e} m or rad, {:.1e} per second; start moved by {:.1e} m, {:.1e} rad, "
+        "{:.1e} m/s, {:.1e} rad/s\n",
+        run.drift.position, run.drift.velocity, run.correction.position, run.correction.angle, run.correction.velocity,
+        run.correction.spin);
+  }
+  if (run.energy_residual) {
+    text += fmt::format("energy       residual {:.2e} J, largest energy or work {:.4g} J\n", *run.energy_residual,
+                        run.energy_scale);
+  }
+  if (!run.events.empty()) {
+    text += fmt::format("contact      {} events, first at {:.9g} s\n", run.events.size(), run.events.front().t);
+  }
+  return text;
+}
+
+}  // namespace lubjoint::reports

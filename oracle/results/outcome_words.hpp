@@ -1,0 +1,20 @@
+/// What every report says first of a run: how it ended, by which integrator, at what cost.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "lubjoint/motion/outcome.hpp"
+
+namespace lubjoint::reports {
+
+/// Keys scene, law, integrator (the one that ran), integrator_reason (why `auto` picked it; empty if the scene names
+/// it), status, message, t_end, steps, rejected_steps, rhs_evaluations, wall_s.
+nlohmann::ordered_json outcome_json(const std::string& scene, const std::string& law, const RunOutcome& outcome,
+                                    double wall_seconds);
+
+/// The same as lines of text.
+std::string outcome_text(const std::string& scene, const std::string& law, const RunOutcome& outcome,
+                         double wall_seconds);
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,157 @@
+#include "oracle/sweep/sweep.hpp"
+
+#include <charconv>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lubjoint/scene/start_check.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/files/parallel.hpp"
+#include "oracle/files/quoted_csv.hpp"
+#include "oracle/results/journal_report.hpp"
+#include "oracle/results/multibody_report.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* joint_extremes[] = {"max_eccentricity_ratio", "max_force", "min_film_thickness"};
+constexpr const char* joint_ends[] = {"ex_over_c", "ey_over_c", "fx", "fy"};
+constexpr const char* driver_extremes[] = {"max_moment", "min_moment"};
+constexpr const char* costs[] = {"steps", "rejected_steps", "rhs_evaluations"};
+
+std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid) {
+  std::vector<std::string> columns{"index"};
+  for (const SweptKey& swept : grid.keys()) columns.push_back(swept.key);
+  columns.insert(columns.end(), {"status", "message", "t_end"});
+  for (const SceneJoint& joint : scene.joints) {
+    for (const char* name : joint_extremes) columns.push_back(joint.name + "." + name);
+    for (const char* name : joint_ends) columns.push_back(joint.name + "." + name);
+  }
+  for (const SceneConstraint& each : scene.constraints) {
+    if (!std::holds_alternative<SceneDriver>(each.kind)) continue;
+    for (const char* name : driver_extremes) columns.push_back(each.name + "." + name);
+  }
+  columns.emplace_back("energy_residual");
+  columns.insert(columns.end(), std::begin(costs), std::end(costs));
+  return columns;
+}
+
+Json summary(const Scene& scene) {
+  return is_free_journal(scene) ? summary_json(scene, simulate_journal(scene))
+                                : summary_json(scene, simulate_multibody(scene));
+}
+
+std::string field(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return quoted_field(value.get<std::string>());
+  return value.is_number_float() ? number(value.get<double>()) : value.dump();
+}
+
+/// The summary's values in the order of the columns, from status on.
+std::vector<std::string> fields_of(const Json& run) {
+  std::vector<std::string> fields;
+  const auto add = [&](const Json& object, const auto& names) {
+    for (const char* name : names) fields.push_back(object.is_null() ? std::string() : field(object.at(name)));
+  };
+  constexpr const char* ends[] = {"status", "message", "t_end"};
+  add(run, ends);
+  for (const Json& joint : run.at("joints")) {
+    add(joint, joint_extremes);
+    add(joint.at("final"), joint_ends);
+  }
+  for (const Json& driver : run.value("drivers", Json::array())) add(driver, driver_extremes);
+  fields.push_back(field(run.at("energy_residual")));
+  add(run, costs);
+  return fields;
+}
+
+Json value_of_field(const std::string& text) {
+  if (text.empty()) return nullptr;
+  const char* end = text.data() + text.size();
+  std::int64_t whole = 0;
+  double real = 0;
+  const auto is_all = [&](const std::from_chars_result& result) {
+    return result.ec == std::errc() && result.ptr == end;
+  };
+  if (is_all(std::from_chars(text.data(), end, whole))) return whole;
+  if (is_all(std::from_chars(text.data(), end, real))) return real;
+  if (text == "true" || text == "false") return text == "true";
+  return text;
+}
+
+}  // namespace
+
+Sweep::Sweep(SceneFile file, SweepGrid grid, std::function<void(Scene&)> change)
+    : file_(std::move(file)), grid_(std::move(grid)), change_(std::move(change)) {
+  require_valid({0}, 1);
+  const Scene first = scene(0);
+  name_ = first.name;
+  columns_ = columns_of(first, grid_);
+}
+
+Scene Sweep::scene(std::size_t point) const {
+  Scene scene = file_.scene(grid_.point(point));
+  change_(scene);
+  return scene;
+}
+
+void Sweep::require_valid(const std::vector<std::size_t>& points, unsigned threads) const {
+  std::mutex mutex;
+  std::optional<std::pair<std::size_t, std::string>> first;  // whatever thread came first
+  run_parallel(points.size(), threads, [&](std::size_t i) {
+    std::string reason;
+    try {
+      const Scene checked = scene(points[i]);
+      require_start(checked);
+      if (!columns_.empty() && columns_of(checked, grid_) != columns_) {
+        reason = file_.name() + ": other joints or drivers than those of point 0; allowed are the same";
+      }
+    } catch (const std::exception& error) {
+      reason = error.what();
+    }
+    if (reason.empty()) return;
+    const std::lock_guard lock(mutex);
+    if (!first || points[i] < first->first) first = {points[i], reason};
+  });
+  if (first) throw SceneError(grid_.name(first->first) + ": " + first->second);
+}
+
+std::string Sweep::header() const {
+  std::string text;
+  for (const std::string& column : columns_) text += (text.empty() ? "" : ",") + quoted_field(column);
+  return text;
+}
+
+std::string Sweep::row(std::size_t point) const {
+  std::string text = std::to_string(point);
+  for (const SceneChange& change : grid_.point(point)) text += "," + quoted_field(shown(change.value));
+  std::vector<std::string> fields;
+  try {
+    fields = fields_of(summary(scene(point)));
+  } catch (const std::exception& error) {  // a start at which a film or a constraint fails
+    fields = {"stopped", quoted_field(error.what())};
+    fields.resize(columns_.size() - 1 - grid_.keys().size());
+  }
+  for (const std::string& each : fields) text += "," + each;
+  return text;
+}
+
+bool Sweep::is_stopped(const std::string& row, const SweepGrid& grid) {
+  return split_quoted(row).at(1 + grid.keys().size()) == "stopped";
+}
+
+Json Sweep::row_json(const std::string& row) const {
+  const std::vector<std::string> fields = split_quoted(row);
+  const std::size_t message = 2 + grid_.keys().size();
+  Json object;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    object[columns_[i]] = i == message ? Json(fields.at(i)) : value_of_field(fields.at(i));
+  }
+  return object;
+}
+
+}  // namespace lubjoint::reports

@@ -1,0 +1,102 @@
+#include "oracle/verify/gallery/gallery.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "oracle/verify/states/states.hpp"
+
+namespace lubjoint::verify {
+
+const std::vector<Mistake>& gallery() {
+  static const std::vector<Mistake> all = [] {
+    std::vector<Mistake> list;
+    for (auto* topic :
+         {motion_mistakes, unit_and_geometry_mistakes, film_mistakes, assembly_mistakes, contact_mistakes}) {
+      for (Mistake& mistake : topic()) list.push_back(std::move(mistake));
+    }
+    return list;
+  }();
+  return all;
+}
+
+namespace {
+
+/// Most mistakes about forces leave pressures and extents alone.
+bool shows(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake) {
+  bool changes = false;
+  for (const State& state : states) {
+    const Solution right = solve(quantities, law, state);
+    const Solution wrong = solve(quantities, law, state, mistake.changes);
+    if (std::isnan(wrong.answer[0])) return false;
+    changes = changes || std::abs(wrong.answer[0] - right.answer[0]) > 1e-6L * size_of_terms(right) ||
+              std::abs(wrong.answer[1] - right.answer[1]) > 1e-6L * size_of_terms(right);
+  }
+  return changes;
+}
+
+}  // namespace
+
+std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
+  std::vector<const Mistake*> list;
+  const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
+  const std::vector<State> states = of_film_only ? designed_states(quantities) : std::vector<State>();
+  for (const Mistake& mistake : gallery()) {
+    if (!mistake.applies(quantities, law)) continue;
+    if (of_film_only && !shows(quantities, law, states, mistake)) continue;
+    list.push_back(&mistake);
+  }
+  return list;
+}
+
+const Mistake& mistake_of(std::string_view name) {
+  std::string list;
+  for (const Mistake& mistake : gallery()) {
+    if (mistake.name == name) return mistake;
+    list += (list.empty() ? "" : ", ") + std::string(mistake.name);
+  }
+  throw std::invalid_argument("there is no mistake \"" + std::string(name) + "\" in the gallery; allowed are " + list);
+}
+
+std::vector<Change> changes_of(const std::vector<const Mistake*>& mistakes) {
+  std::vector<Change> changes;
+  for (const Mistake* mistake : mistakes) {
+    changes.insert(changes.end(), mistake->changes.begin(), mistake->changes.end());
+  }
+  return changes;
+}
+
+Solution solve_with(Quantities quantities, Law law, const State& state, const std::vector<const Mistake*>& mistakes) {
+  return solve(quantities, law, state, changes_of(mistakes));
+}
+
+std::string described_gallery() {
+  std::string text;
+  for (const Mistake& mistake : gallery()) {
+    fmt::format_to(std::back_inserter(text), "{}\n    {}\n    How it shows: {}\n", mistake.name, mistake.description,
+                   mistake.symptom);
+  }
+  return text;
+}
+
+std::string gallery_markdown() {
+  std::string text =
+      "# What people get wrong, and how it shows\n\n"
+      "Written by `lubjoint verify --list-mistakes --markdown`. `lubjoint verify` recognises each of these, and sets "
+      "of\nup to three, in the answers of a program. Symbols: ε eccentricity ratio, a = ε(ω − 2γ̇) slip rate, b = ε̇ "
+      "squeeze "
+      "rate,\nr and t the radial and tangential directions, θ from the maximum film.\n\n"
+      "| name | mistake | how it shows |\n|---|---|---|\n";
+  for (const Mistake& mistake : gallery()) {
+    std::string cells[2] = {std::string(mistake.description), std::string(mistake.symptom)};
+    for (std::string& cell : cells) {
+      for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2) cell.insert(at, "\\");
+    }
+    fmt::format_to(std::back_inserter(text), "| `{}` | {} | {} |\n", mistake.name, cells[0], cells[1]);
+  }
+  return text;
+}
+
+}  // namespace lubjoint::verify

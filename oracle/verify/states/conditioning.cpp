@@ -1,0 +1,106 @@
+#include "oracle/verify/states/conditioning.hpp"
+
+#include <cmath>
+
+#include "lubjoint/film/law_list.hpp"
+
+namespace lubjoint::verify {
+
+namespace {
+
+using Answer = std::array<double, most_answers>;
+
+double size_of(const Plane& v) {
+  const Real size = std::hypot(v.x(), v.y());
+  return std::isfinite(size) ? static_cast<double>(size) : 0;
+}
+
+/// Exponents of L and R in the force scale.
+struct ScaleExponents {
+  Real length, radius;
+};
+ScaleExponents exponents_of(Law law) { return is_short(law) ? ScaleExponents{3, 1} : ScaleExponents{1, 3}; }
+
+/// Of a force from a motion in the plane [N].
+template <class FilmLaw>
+double plane_conditioning(const Solution& s) {
+  using D = Dual<Real, 4>;
+  const Real c = s.film_clearance, mean_spin = (s.omega_bearing + s.omega_journal) / 2;
+  const Plane e(s.e.x() / c, s.e.y() / c);
+  const Plane u(s.v.x() / c + mean_spin * e.y(), s.v.y() / c - mean_spin * e.x());
+  const FilmState<D> film({D::variable(e.x(), 0), D::variable(e.y(), 1)},
+                          {D::variable(u.x(), 2), D::variable(u.y(), 3)});
+  const Vector2<D> ratio = force_ratio<FilmLaw>(film);
+  const auto slope = [&](Eigen::Index k) {
+    return Plane(s.scale * ratio.x().derivatives()[k], s.scale * ratio.y().derivatives()[k]);
+  };
+  const auto times = [](Real x, const Plane& v) { return x == 0 ? Plane(0, 0) : Plane(x * v); };
+  const Plane along_e = times(e.x(), slope(0)) + times(e.y(), slope(1));
+  const Plane along_u = times(u.x(), slope(2)) + times(u.y(), slope(3));
+  const Plane turning = times(e.y() / 2, slope(2)) - times(e.x() / 2, slope(3));  // ∂F/∂ω of either spin
+  const auto [of_length, of_radius] = exponents_of(s.law);
+  return (1 + static_cast<double>(of_length + of_radius)) * size_of(s.force) +  // viscosity, length, radius
+         size_of(Plane(-2 * s.force - along_e - along_u)) +                     // clearance
+         size_of(times(e.x(), slope(0)) - times(e.x() * mean_spin, slope(3))) +
+         size_of(times(e.y(), slope(1)) + times(e.y() * mean_spin, slope(2))) + size_of(times(s.v.x() / c, slope(2))) +
+         size_of(times(s.v.y() / c, slope(3))) + size_of(times(s.omega_bearing, turning)) +
+         size_of(times(s.omega_journal, turning));
+}
+
+/// Of a force from ε and rates [N].
+template <class FilmLaw>
+double polar_conditioning(const Solution& s) {
+  using D = Dual<Real, 3>;
+  const PolarForce<D> ratio =
+      polar_force_ratio<FilmLaw>(PolarFilmState<D>(D::variable(s.ratio, 0), D::variable(s.a, 1), D::variable(s.b, 2)));
+  const auto slope = [&](Eigen::Index k) {
+    return Plane(s.scale * ratio.radial.derivatives()[k], s.scale * ratio.tangential.derivatives()[k]);
+  };
+  const auto [of_length, of_radius] = exponents_of(s.law);
+  return (3 + static_cast<double>(of_length + of_radius)) * size_of(s.force) +  // viscosity, length, radius, clearance
+         size_of(Plane(s.ratio * slope(0) + s.a * slope(1))) + size_of(Plane(s.b * slope(2))) +
+         size_of(Plane(s.spin_part * slope(1))) + size_of(Plane(s.attitude_part * slope(1)));
+}
+
+Answer by_differences(const State& state, const Solution& s) {
+  constexpr double step = 0x1p-24;  // far below the distance to any seam; half the digits of a tolerance are enough
+  Answer sum{};
+  const std::size_t columns = answer_columns(s.quantities).size();
+  for (const StateColumn& column : state_columns(s.quantities)) {
+    const double given = state.*column.value;
+    if (given == 0) continue;
+    State moved = state;
+    moved.*column.value = given * (1 - step);
+    std::array<Real, most_answers> answer = solve(s.quantities, s.law, moved).answer;
+    if (std::isnan(answer[0])) {
+      moved.*column.value = given * (1 + step);
+      answer = solve(s.quantities, s.law, moved).answer;
+    }
+    const double plane = static_cast<double>(std::hypot(answer[0] - s.answer[0], answer[1] - s.answer[1]) / step);
+    sum[0] += plane;
+    sum[1] += plane;
+    for (std::size_t k = 2; k < columns; ++k) sum[k] += static_cast<double>(std::abs(answer[k] - s.answer[k]) / step);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Answer input_conditioning(const State& state, const Solution& s) {
+  if (std::isnan(s.answer[0])) return {};
+  const bool of_film =
+      s.quantities == Quantities::cartesian || s.quantities == Quantities::polar || s.quantities == Quantities::wrench;
+  if (!of_film) return by_differences(state, s);
+  const double force = with_film_law(name_of(s.law), [&]<class FilmLaw>() {
+    return is_polar(s.quantities) ? polar_conditioning<FilmLaw>(s) : plane_conditioning<FilmLaw>(s);
+  });
+  Answer result{force, force, 0, 0};
+  if (s.quantities != Quantities::wrench) return result;
+  // Moments s × F: the force's, and the arm's own rounding once for each of its numbers.
+  const double size = size_of(s.force), e = size_of(s.e);
+  const double arms[2] = {size_of(s.arm_bearing) + e, size_of(s.arm_journal)};
+  for (std::size_t k = 0; k < 2; ++k) result[2 + k] = arms[k] * (force + 2 * size);
+  return result;
+}
+
+}  // namespace lubjoint::verify

@@ -1,0 +1,115 @@
+/// The answer to a state, worked out the way programs do: step by step from the published formulas, in more digits
+/// than any program has. A mistake changes the numbers after one of the steps.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "lubjoint/number/vector.hpp"
+#include "oracle/verify/states/quantity.hpp"
+
+namespace lubjoint::verify {
+
+using Real = long double;
+using Plane = Vector2<Real>;
+
+/// The film laws, in the order of film_law_names.
+enum class Law {
+  short_full,
+  short_half,
+  short_dynamic,
+  long_full,
+  long_half,
+  long_half_eq5,
+  long_dynamic,
+  pinkus_sternlicht
+};
+inline constexpr std::size_t law_count = 8;
+
+/// @throws std::invalid_argument that lists the laws there are
+Law law_of(std::string_view name);
+std::string_view name_of(Law law);
+
+bool is_short(Law law);
+bool is_full(Law law);
+bool is_half(Law law);
+bool is_dynamic(Law law);
+
+/// Steps of the work, in their order.
+enum class Step {
+  inputs,      ///< what the state says, as read
+  kinematics,  ///< r, t, ε, b and the two parts of a
+  rates,       ///< a and b
+  terms,       ///< F_r/S and F_t/S, each as a wedge term (of a) and a squeeze term (of b)
+  scale,       ///< S
+  film,        ///< radial and tangential force of the film
+  contact,     ///< normal force of the contact, and the weight of the blend
+  total,       ///< force on the journal
+  moments,     ///< moments about the mass centres
+  answer       ///< the numbers that are given
+};
+
+/// Numbers on the way from a state to its answer.
+struct Solution {
+  Quantities quantities = Quantities::cartesian;
+  Law law = Law::short_full;
+
+  Real viscosity = 0, length = 0, radius = 0, clearance = 0;
+  Real omega_bearing = 0, omega_journal = 0;
+  Plane e{0, 0}, v{0, 0};
+  Real polar_ratio = 0, polar_squeeze = 0, polar_omega = 0, polar_attitude = 0;
+  Plane arm_bearing{0, 0}, arm_journal{0, 0};
+  Real e0 = 0, e1 = 0, stiffness = 0, restitution = 0, impact_speed = 1;
+  Real film_widening = 0;    ///< e₁ in a transition
+  Real film_clearance = 0;   ///< c, or c + e₁ in a transition
+  bool mirrors_half = true;  ///< half film: on π…2π for a < 0
+  bool pulls = false;        ///< the film force acts the other way
+
+  Plane r{1, 0}, t{0, 1};
+  Real ratio = 0;          ///< ε
+  Real ratio_gap = 1;      ///< 1 − ε, formed from lengths
+  Real spin_part = 0;      ///< ε(ω_B + ω_J), or εω in polar quantities
+  Real attitude_part = 0;  ///< −2 v·t/c, or −2εγ̇
+  Real a = 0, b = 0;
+  Real radial_wedge = 0, radial_squeeze = 0, tangential_wedge = 0, tangential_squeeze = 0;
+  Real scale = 0;
+  Real radial = 0, tangential = 0;  ///< of the film [N]
+  Real penetration = 0, penetration_rate = 0;
+  Real loss = 0;          ///< d = 3(1 − c_r²)/(4δ̇₀)
+  Real normal = 0;        ///< F_N [N]
+  Real of_dry = 0;        ///< weight of the contact in the blend
+  Plane force{0, 0};      ///< on the journal
+  Real reaction_arm = 1;  ///< factor of the transport moment
+  Real moment_bearing = 0, moment_journal = 0;
+  Real theta = 0, z = 0;
+  Real theta_s = 0, theta_e = 0;
+  Real pressure = 0;
+  Real pressure_terms = 0;  ///< sum of the magnitudes that the pressure is made of
+  std::array<Real, most_answers> answer{};
+
+  Real q() const { return ratio_gap * (1 + ratio); }  ///< 1 − ε²
+  Real d() const { return 2 + ratio * ratio; }        ///< 2 + ε²
+  void scale_lengths(Real factor);                    ///< all lengths and speeds read in another unit
+};
+
+/// A change of the numbers after a step.
+struct Change {
+  Step step;
+  void (*apply)(Solution&);
+};
+
+/// Works out the answer; the changes that a step has are made after it, in their order.
+/// Where no film exists (ε ≥ 1) the answer is NaN; so is the pressure of Pinkus and Sternlicht's law, which has none.
+Solution solve(Quantities quantities, Law law, const State& state, std::span<const Change> changes = {});
+
+/// θs and θe of the law's film, and the pressure at (θ, z); need the rates.
+void find_extent(Solution& solution);
+void find_pressure(Solution& solution);
+
+/// Sum of the magnitudes of the terms that the film force is the sum of [N]: what rounding is proportional to. For
+/// the dynamic films, those of the integrals over the film that their formulas combine. Of a pressure [Pa] and of the
+/// film's ends [rad] likewise.
+Real size_of_terms(const Solution& solution);
+
+}  // namespace lubjoint::verify

@@ -1,0 +1,122 @@
+#include "oracle/verify/trajectory/scene_mistakes.hpp"
+
+#include <utility>
+
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/simulate.hpp"
+
+namespace lubjoint::verify {
+
+namespace {
+
+using Scale = std::function<void(Scene&, double)>;
+
+void add_joint_numbers(std::vector<SceneNumber>& list, const SceneJoint& joint, std::size_t j) {
+  const auto add = [&](const char* what, double SceneJoint::*number) {
+    if (joint.*number == 0) return;
+    list.push_back({std::string("the ") + what + " of " + joint.name,
+                    [=](Scene& scene, double factor) { scene.joints[j].*number *= factor; }});
+  };
+  add("clearance", &SceneJoint::clearance);
+  if (joint.film != no_film) {
+    add("viscosity", &SceneJoint::viscosity);
+    add("length", &SceneJoint::length);
+  }
+  add("journal radius", &SceneJoint::journal_radius);
+  if (!joint.contact) return;
+  list.push_back({"the moduli of " + joint.name, [j](Scene& scene, double factor) {
+                    scene.joints[j].contact->bearing_modulus *= factor;
+                    scene.joints[j].contact->journal_modulus *= factor;
+                  }});
+  list.push_back({"the restitution of " + joint.name,
+                  [j](Scene& scene, double factor) { scene.joints[j].contact->restitution *= factor; }});
+}
+
+void add_body_numbers(std::vector<SceneNumber>& list, const SceneBody& body, std::size_t b) {
+  list.push_back({"the mass of " + body.name, [b](Scene& scene, double factor) { scene.bodies[b].mass *= factor; }});
+  list.push_back(
+      {"the inertia of " + body.name, [b](Scene& scene, double factor) { scene.bodies[b].inertia *= factor; }});
+  if (body.spin != 0) {
+    list.push_back(
+        {"the first spin of " + body.name, [b](Scene& scene, double factor) { scene.bodies[b].spin *= factor; }});
+  }
+}
+
+/// Half films slide on the jump of their force, which only a free journal's runs can follow.
+bool can_be_run(std::string_view law, const Scene& scene) {
+  bool runs = true;
+  with_film_law(law, [&]<class Law>() { runs = Law::extent != FilmExtent::half || is_free_journal(scene); });
+  return runs;
+}
+
+void add_joint_changes(std::vector<SceneChange>& list, const Scene& whole, std::size_t j) {
+  const SceneJoint& joint = whole.joints[j];
+  list.push_back({"bearing and journal of " + joint.name + " were exchanged",
+                  [j](Scene& scene) { std::swap(scene.joints[j].bearing, scene.joints[j].journal); }});
+  list.push_back({"the journal's diameter of " + joint.name + " were its radius",
+                  [j](Scene& scene) { scene.joints[j].journal_radius *= 2; }});
+  list.push_back({"the clearance of " + joint.name + " were diametral, and had been halved",
+                  [j](Scene& scene) { scene.joints[j].clearance /= 2; }});
+  list.push_back(
+      {"the clearance of " + joint.name + " had been doubled", [j](Scene& scene) { scene.joints[j].clearance *= 2; }});
+  if (joint.film == no_film) return;
+  for (const std::string_view law : film_law_names) {
+    if (law == joint.film || !can_be_run(law, whole)) continue;
+    list.push_back({"the law of " + joint.name + " were " + std::string(law),
+                    [j, law](Scene& scene) { scene.joints[j].film = law; }});
+  }
+}
+
+bool is_driver(const SceneConstraint& constraint) { return std::holds_alternative<SceneDriver>(constraint.kind); }
+
+}  // namespace
+
+std::vector<SceneNumber> numbers_of(const Scene& scene) {
+  std::vector<SceneNumber> list;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) add_joint_numbers(list, scene.joints[j], j);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body_numbers(list, scene.bodies[b], b);
+  for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
+    if (!is_driver(scene.constraints[c])) continue;
+    list.push_back({"the speed of " + scene.constraints[c].name, [c](Scene& changed, double factor) {
+                      std::get<SceneDriver>(changed.constraints[c].kind).speed *= factor;
+                    }});
+  }
+  if (!is_zero(scene.gravity)) {
+    list.push_back({"gravity", [](Scene& changed, double factor) { changed.gravity *= factor; }});
+  }
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
+    list.push_back({"the load on " + scene.bodies[scene.loads[l].body].name, [l](Scene& changed, double factor) {
+                      changed.loads[l].force *= factor;
+                      changed.loads[l].moment *= factor;
+                    }});
+  }
+  return list;
+}
+
+std::vector<SceneChange> changes_of(const Scene& scene) {
+  std::vector<SceneChange> list;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) add_joint_changes(list, scene, j);
+  if (!is_zero(scene.gravity)) {
+    list.push_back({"there were no gravity", [](Scene& changed) { changed.gravity = {0, 0}; }});
+    list.push_back({"gravity acted the other way", [](Scene& changed) { changed.gravity = -changed.gravity; }});
+  }
+  if (!scene.loads.empty()) list.push_back({"there were no load", [](Scene& changed) { changed.loads.clear(); }});
+  list.push_back({"the start were at rest", [](Scene& changed) {
+                    for (SceneBody& body : changed.bodies) {
+                      body.velocity = {0, 0};
+                      body.spin = 0;
+                    }
+                  }});
+  list.push_back({"everything turned the other way", [](Scene& changed) {
+                    for (SceneBody& body : changed.bodies) body.spin = -body.spin;
+                    for (SceneConstraint& constraint : changed.constraints) {
+                      if (!is_driver(constraint)) continue;
+                      auto& driver = std::get<SceneDriver>(constraint.kind);
+                      driver.speed = -driver.speed;
+                      driver.acceleration = -driver.acceleration;
+                    }
+                  }});
+  return list;
+}
+
+}  // namespace lubjoint::verify
