@@ -1,5 +1,5 @@
 # cmake --install: what goes where. Components (cmake --install build --component NAME), also the Debian packages':
-#   dev    headers, CMake package, pkg-config file, the static libraries (batch evaluation, scenes)
+#   dev    headers, CMake package, pkg-config file, the static libraries (laws' facts, batch evaluation, scenes)
 #   c      the shared library of the C interface
 #   tool   the program and the data that it reads
 include(CMakePackageConfigHelpers)
@@ -18,12 +18,12 @@ if(TARGET lubjoint_c)
   configure_file(cmake/lubjoint-c.pc.in ${PROJECT_BINARY_DIR}/lubjoint-c.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/lubjoint-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 endif()
-foreach(part batch scene)
+foreach(part law_facts batch scene)
   if(TARGET lubjoint_${part})
     install(TARGETS lubjoint_${part} EXPORT ${part} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
   endif()
 endforeach()
-foreach(part headers batch c scene)
+foreach(part headers law_facts batch c scene)
   if(part STREQUAL "headers" OR TARGET lubjoint_${part})
     install(EXPORT ${part} NAMESPACE lubjoint:: FILE lubjoint-${part}.cmake DESTINATION ${package_folder} COMPONENT dev)
   endif()
@@ -36,7 +36,8 @@ install(FILES ${PROJECT_BINARY_DIR}/lubjointConfig.cmake ${PROJECT_BINARY_DIR}/l
   DESTINATION ${package_folder} COMPONENT dev)
 
 if(TARGET lubjoint_cli)
-  install(TARGETS lubjoint_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
+  get_property(programs GLOBAL PROPERTY lubjoint_programs)
+  install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
   # Beside the program, ../share/lubjoint: it looks there (oracle/files/data_folder.hpp).
   install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lubjoint COMPONENT tool PATTERN figures EXCLUDE)
   install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)

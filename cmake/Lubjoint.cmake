@@ -38,17 +38,37 @@ function(lubjoint_precompiled target)
   endif()
 endfunction()
 
+# lubjoint_reuses_precompiled(TARGET OTHER): the other target's, where both are compiled alike.
+function(lubjoint_reuses_precompiled target other)
+  target_precompile_headers(${target} REUSE_FROM ${other})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+  endif()
+endfunction()
+
 # lubjoint_report(TARGET): lightly optimised, and with one precompiled header for all of them.
 function(lubjoint_report target)
   lubjoint_lightly_optimised(${target})
-  if(TARGET lubjoint_plot AND NOT target STREQUAL lubjoint_plot)
-    target_precompile_headers(${target} REUSE_FROM lubjoint_plot)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-      target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
-    endif()
-  else()
+  if(target STREQUAL lubjoint_plot)
     lubjoint_precompiled(${target} <Eigen/Dense> <fmt/format.h> <nlohmann/json.hpp>)
+  else()
+    lubjoint_reuses_precompiled(${target} lubjoint_plot)
   endif()
+endfunction()
+
+# lubjoint_source_hash(FUNCTION HEADER FILES...): makes FUNCTION.cpp in the build folder, whose function of that name,
+# declared in HEADER, tells the version and a checksum of the files (relative to the project).
+function(lubjoint_source_hash function header)
+  list(JOIN ARGN "\n" list)
+  set(list_file ${CMAKE_CURRENT_BINARY_DIR}/${function}.txt)
+  file(CONFIGURE OUTPUT ${list_file} CONTENT "${list}\n")
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE dependencies)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/SourceHash.cmake)
+  add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp
+    COMMAND ${CMAKE_COMMAND} -DLIST=${list_file} -DROOT=${PROJECT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
+      -DFUNCTION=${function} -DHEADER=${header} -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp -P ${script}
+    DEPENDS ${dependencies} ${list_file} ${script}
+    VERBATIM)
 endfunction()
 
 # Odeint 1.74 copies steppers whose work arrays are not yet filled, and GCC sees it in these sources.

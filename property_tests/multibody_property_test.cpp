@@ -38,24 +38,24 @@ Scene seen_from_elsewhere(Scene scene, double angle, const Vector2<double>& by) 
   }
   for (SceneLoad& load : scene.loads) load.force = moved(load.force, angle, none);
   const auto move_ground = [&](SceneAnchor& anchor) {
-    if (!anchor.body) anchor.point = moved(anchor.point, angle, by);
+    if (anchor.on_ground()) anchor.point = moved(anchor.point, angle, by);
   };
   for (SceneJoint& joint : scene.joints) {
     move_ground(joint.bearing);
     move_ground(joint.journal);
   }
   for (SceneConstraint& each : scene.constraints) {
-    if (auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+    if (auto* pin = std::get_if<Revolute<double>>(&each.constraint)) {
       move_ground(pin->first);
       move_ground(pin->second);
-    } else if (auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
-      if (!guide->first.body) {
+    } else if (auto* guide = std::get_if<Translational<double>>(&each.constraint)) {
+      if (guide->first.on_ground()) {
         guide->axis = moved(guide->axis, angle, none);
         guide->angle += angle;
       }
       move_ground(guide->first);
-    } else if (auto* driver = std::get_if<SceneDriver>(&each.kind)) {
-      if (!driver->against) driver->angle += angle;
+    } else if (auto* driver = std::get_if<Driver<double>>(&each.constraint)) {
+      if (driver->first == ground_body) driver->angle += angle;
     }
   }
   return scene;
@@ -91,10 +91,10 @@ Scene four_bar() {
   scene.file = scene.name = "four-bar";
   scene.gravity = {0, -9.81};
   scene.bodies = {rod("crank", {0, 0}, a), rod("coupler", a, meet), rod("rocker", b, meet)};
-  scene.constraints = {{"a", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-crank / 2, 0}}}},
-                       {"b", SceneRevolute{{0, {crank / 2, 0}}, {1, {-coupler / 2, 0}}}},
-                       {"c", SceneRevolute{{1, {coupler / 2, 0}}, {2, {rocker / 2, 0}}}},
-                       {"d", SceneRevolute{{2, {-rocker / 2, 0}}, {std::nullopt, b}}}};
+  scene.constraints = {{"a", Revolute<double>{{ground_body, {0, 0}}, {0, {-crank / 2, 0}}}},
+                       {"b", Revolute<double>{{0, {crank / 2, 0}}, {1, {-coupler / 2, 0}}}},
+                       {"c", Revolute<double>{{1, {coupler / 2, 0}}, {2, {rocker / 2, 0}}}},
+                       {"d", Revolute<double>{{2, {-rocker / 2, 0}}, {ground_body, b}}}};
   return scene;
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("multibody systems obey momentum, frame indifference and order") {
   });
 
   rc::prop("the force is continuous at both seams, for every law, velocity, e0 and e1", [] {
-    SceneJoint given = dry_joint({std::nullopt, {0, 0}}, {0, {0, 0}}, between(0, 1));
+    SceneJoint given = dry_joint({ground_body, {0, 0}}, {0, {0, 0}}, between(0, 1));
     given.film = any_law();
     given.viscosity = between(1e-3, 1);
     const double e0 = between(1e-6, 5e-5);
@@ -207,21 +207,21 @@ TEST_CASE("multibody systems obey momentum, frame indifference and order") {
     for (std::size_t b = 0; b < 3; ++b) bodies[place[b]] = scene.bodies[b];
     scene.bodies = bodies;
     const auto rename = [&](SceneAnchor& anchor) {
-      if (anchor.body) anchor.body = place[*anchor.body];
+      if (!anchor.on_ground()) anchor.body = place[anchor.body];
     };
     for (SceneJoint& joint : scene.joints) {
       rename(joint.bearing);
       rename(joint.journal);
     }
     for (SceneConstraint& each : scene.constraints) {
-      if (auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+      if (auto* pin = std::get_if<Revolute<double>>(&each.constraint)) {
         rename(pin->first);
         rename(pin->second);
-      } else if (auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
+      } else if (auto* guide = std::get_if<Translational<double>>(&each.constraint)) {
         rename(guide->first);
         rename(guide->second);
-      } else if (auto* driver = std::get_if<SceneDriver>(&each.kind)) {
-        driver->body = place[driver->body];
+      } else if (auto* driver = std::get_if<Driver<double>>(&each.constraint)) {
+        driver->second = place[driver->second];
       }
     }
     if (*rc::gen::arbitrary<bool>()) std::reverse(scene.constraints.begin(), scene.constraints.end());
@@ -236,7 +236,8 @@ TEST_CASE("random mechanisms keep their constraints and close their ledgers") {
     Scene scene = four_bar();
     const bool driven = *rc::gen::arbitrary<bool>();
     if (driven)
-      scene.constraints.push_back({"motor", SceneDriver{0, std::nullopt, scene.bodies[0].angle, between(-20, 20), 0}});
+      scene.constraints.push_back(
+          {"motor", Driver<double>{ground_body, 0, scene.bodies[0].angle, between(-20, 20), 0}});
     scene.stabilisation = *rc::gen::arbitrary<bool>() ? SceneStabilisation{true, 0, 0} : SceneStabilisation{};
     scene.run.duration = 0.3;
     scene.energy_ledger = true;
@@ -268,7 +269,7 @@ TEST_CASE("free impacts leave with the exact exit speed, which is above what the
     scene.file = scene.name = "impact";
     scene.bodies = {body("journal", between(0.05, 5), 1e-3, {0, 0})};
     scene.bodies[0].velocity = speed * r;
-    scene.joints = {dry_joint({std::nullopt, {0, 0}}, {0, {0, 0}}, restitution)};
+    scene.joints = {dry_joint({ground_body, {0, 0}}, {0, {0, 0}}, restitution)};
     scene.run.duration = 0.0003 / speed + 0.002;
     set_tolerance(scene, 1e-10);
     const MultibodyTrajectory run = simulate_multibody(scene);

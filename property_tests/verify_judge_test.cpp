@@ -36,9 +36,9 @@ Answers multiples_of_truth(const std::vector<Reference>& references, double fact
 TEST_CASE("verify: an answer of the wrong sign, or 2, 1/2 or 1.01 times the force, is right at no state of any law") {
   const std::vector<State>& states = all_states();
   for (std::size_t law = 0; law < law_count; ++law) {
-    INFO(name_of(static_cast<Law>(law)));
+    INFO(name_of(Law{law}));
     Judgement judgement;
-    judgement.law = static_cast<Law>(law);
+    judgement.law = Law{law};
     judgement.references = references(Quantities::cartesian, judgement.law, states);
     for (const double factor : {-1.0, 2.0, 0.5, 1.01}) {
       INFO(factor << " times");
@@ -91,7 +91,7 @@ TEST_CASE("verify: the conditioning of a state is what its exact derivatives by 
   const std::vector<State> states = states_to_verify(Quantities::cartesian, test::golden_folder(), 300, 3);
   for (std::size_t law = 0; law < law_count; ++law) {
     for (const State& state : states) {
-      const Solution s = solve(Quantities::cartesian, static_cast<Law>(law), state);
+      const Solution s = solve(Quantities::cartesian, Law{law}, state);
       // Differences of 1e-7 in the inputs: far from the wall, from the centre and from the jump of half films.
       if (s.ratio_gap < 0.01L || s.ratio < 0.01L || std::abs(s.a) < 1e-2L * std::abs(s.b)) continue;
       // At u = 0 a film has a derivative in each direction, not one.

@@ -21,7 +21,7 @@ Scene thrown_journal(double speed, double restitution) {
   scene.file = scene.name = "thrown";
   scene.bodies = {body("journal", 0.13, 2.5e-4, {0, 0})};
   scene.bodies[0].velocity = {speed, 0};
-  scene.joints = {dry_joint({std::nullopt, {0, 0}}, {0, {0, 0}}, restitution)};
+  scene.joints = {dry_joint({ground_body, {0, 0}}, {0, {0, 0}}, restitution)};
   scene.run.duration = 0.0002 / speed + 2e-4;
   scene.energy_ledger = true;
   set_tolerance(scene, 1e-10);
@@ -73,7 +73,7 @@ TEST_CASE("contact: of several journals that touch within one step each does at 
       const double place = 0.1 * static_cast<double>(i);
       scene.bodies.push_back(body("journal " + std::to_string(i), 0.13, 2.5e-4, {place, 0}));
       scene.bodies[i].velocity = {speeds[i], 0};
-      scene.joints.push_back(dry_joint({std::nullopt, {place, 0}}, {i, {0, 0}}, restitution));
+      scene.joints.push_back(dry_joint({ground_body, {place, 0}}, {i, {0, 0}}, restitution));
     }
     scene.run.duration = clearance / 0.5 + 2e-4;
     const MultibodyTrajectory run = simulate_multibody(scene);

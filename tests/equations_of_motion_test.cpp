@@ -42,10 +42,10 @@ Scene rod_in_a_film() {
   SceneJoint joint = scene.joints[0];
   joint.contact.reset();
   joint.transition.reset();
-  joint.bearing = {std::nullopt, {0.2 * along.x() + 1e-5, 0.2 * along.y() - 8e-5}};
+  joint.bearing = {ground_body, {0.2 * along.x() + 1e-5, 0.2 * along.y() - 8e-5}};
   joint.journal = {0, {0.1, 0}};
   scene.bodies = {body("rod", 0.3, 2e-3, {0.1 * along.x(), 0.1 * along.y()}, angle)};
-  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-0.1, 0}}}}};
+  scene.constraints = {{"pin", Revolute<double>{{ground_body, {0, 0}}, {0, {-0.1, 0}}}}};
   scene.joints = {joint};
   return scene;
 }
@@ -196,8 +196,8 @@ TEST_CASE("constraints that are all but the same count as the same, in the rank,
   Scene scene;
   scene.name = "rod";
   scene.bodies = {body("rod", 0.3, 2e-3, {0.1, 0})};
-  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-0.1, 0}}}},
-                       {"near", SceneRevolute{{std::nullopt, {1e-12, 0}}, {0, {-0.1 + 1e-12, 0}}}}};
+  scene.constraints = {{"pin", Revolute<double>{{ground_body, {0, 0}}, {0, {-0.1, 0}}}},
+                       {"near", Revolute<double>{{ground_body, {1e-12, 0}}, {0, {-0.1 + 1e-12, 0}}}}};
   const auto system = planar_system<double>(scene);
   auto y = scene_start<double>(scene);
   CHECK_THROWS_WITH(assemble_start(system, 0.0, 0.1, y),
@@ -253,8 +253,8 @@ TEST_CASE("a driver's extremes are those of its moment, however small") {
   scene.bodies = {body("rod", 0.1, 1e-4, {0.05, 0})};
   scene.bodies[0].velocity = {0, 0.5};
   scene.bodies[0].spin = 10;
-  scene.constraints = {{"pin", SceneRevolute{{std::nullopt, {0, 0}}, {0, {-0.05, 0}}}},
-                       {"motor", SceneDriver{0, std::nullopt, 0, 10, 0}}};
+  scene.constraints = {{"pin", Revolute<double>{{ground_body, {0, 0}}, {0, {-0.05, 0}}}},
+                       {"motor", Driver<double>{ground_body, 0, 0, 10, 0}}};
   scene.run.duration = 2 * std::acos(-1.0) / 10;
   scene.run.output_interval = scene.run.duration / 10;
   const MultibodyTrajectory run = simulate_multibody(scene);

@@ -99,7 +99,7 @@ TEST_CASE("zeros of the pressure found by root finding are the film bounds, in e
       for (const auto name : {OneDimensionalFilm::short_dynamic, OneDimensionalFilm::long_dynamic,
                               OneDimensionalFilm::long_half, OneDimensionalFilm::short_full}) {
         const FilmForceEstimate found = film_force_by_quadrature(name, bearing, oil, state);
-        const FilmBounds<double> bounds = film_bounds(entry_of(name).extent, state);
+        const FilmBounds<double> bounds = film_bounds(entry_of(name).extent(), state);
         INFO(entry_of(name).name << ", epsilon " << epsilon << ", a " << a << ", b " << b);
         CHECK(found.theta_s > -half_turn);
         // Rounding: both angles are counted from π and reduced, four roundings of up to 2π. Near the cut a begin of −π
@@ -119,7 +119,7 @@ TEST_CASE("all quadrature rules agree within their estimates, up to ε = 1 - 1e-
         const FilmForceEstimate standard = film_force_by_quadrature(film.film, bearing, oil, state);
         for (const auto rule : {FilmQuadratureRule::qag, FilmQuadratureRule::qags, FilmQuadratureRule::qagp,
                                 FilmQuadratureRule::cquad, FilmQuadratureRule::trapezoid}) {
-          const bool whole_turn = film.extent == FilmExtent::full;
+          const bool whole_turn = film.extent() == FilmExtent::full;
           // Trapezoid: the field of eq. 5 has its pole √(1 − ε) from Sommerfeld's angle π, too near to be cheap at 1 −
           // 1e-9.
           if (rule == FilmQuadratureRule::trapezoid && (!whole_turn || epsilon > 1 - 1e-7)) continue;

@@ -149,7 +149,7 @@ TEST_CASE("Integrators: states of run-time size take the same steps as states of
       slope.assign(s.begin(), s.end());
     }
   };
-  for (const std::string_view name : method_names) {
+  for (const std::string_view name : method_names()) {
     INFO(name);
     ProblemSystem<Problem> fixed_system;
     Sized sized_system;
@@ -181,7 +181,7 @@ TEST_CASE("Integrators: a rate outside its domain rejects the step, halves it, a
     void jacobian(const State&, Jacobian& j, const double&) override { j.setZero(); }
     void time_slope(const State&, State& slope, const double&) override { slope.fill(0); }
   } wall;
-  for (const std::string_view name : method_names) {
+  for (const std::string_view name : method_names()) {
     INFO(name);
     const auto method = made(std::string(name), 1e-6);
     const State before{1 - 1e-9, 0};

@@ -105,14 +105,14 @@ TEST_CASE("constrained equations: the exact Jacobian equals differences in 64-bi
 TEST_CASE("a constraint that repeats others is named, with the others and the rank") {
   Scene scene = load_scene(scenes + "slider-crank-ideal.toml");
   const SceneConstraint guide = scene.constraints[2];
-  scene.constraints.push_back({"second-guide", guide.kind});
+  scene.constraints.push_back({"second-guide", guide.constraint});
   const std::string message = assembly_error(scene);
   CHECK_THAT(message, Contains("\"second-guide\" repeats") && Contains("\"guide\"") && Contains("11 rows of rank 9"));
 }
 
 TEST_CASE("constraints that contradict each other: the open one is named, with its gap") {
   Scene scene = load_scene(scenes + "slider-crank-ideal.toml");
-  scene.constraints.push_back({"wall", SceneGround{2, {0.2, 0.0}, 0.0}});  // beyond crank and rod together
+  scene.constraints.push_back({"wall", GroundConstraint<double>{2, {0.2, 0.0}, 0.0}});  // beyond crank and rod together
   const std::string message = assembly_error(scene);
   CHECK_THAT(message, Contains("no position near the start fulfils all constraints") && Contains("rank"));
   CHECK_THROWS_WITH(simulate_multibody(scene), Contains("constraints: no position"));

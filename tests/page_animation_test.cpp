@@ -111,8 +111,8 @@ Vector2<double> long_dynamic_force(const Scene& scene, const std::vector<double>
     const double* v = q + state.size() / 2;
     return PlanarMotion<double>{{q[0], q[1]}, q[2], {v[0], v[1]}, v[2]};
   };
-  const auto kinematics = joint_kinematics(motion(*joint.bearing.body), joint.bearing.point,
-                                           motion(*joint.journal.body), joint.journal.point);
+  const auto kinematics = joint_kinematics(motion(joint.bearing.body), joint.bearing.point, motion(joint.journal.body),
+                                           joint.journal.point);
   return film_force<LongDynamic>(Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
                                  Lubricant<double>(joint.viscosity), film_state(kinematics.motion, joint.clearance));
 }

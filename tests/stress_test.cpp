@@ -100,7 +100,7 @@ TEST_CASE("stress: no cell of the extreme starts, loads and tolerances is wrong,
                                   "journal-mass-1e-6kg", "journal-load-1e13N", "journal-thrown-at-wall",
                                   "journal-tolerance-1e-1", "journal-tolerance-1e-14", "impact-fast"});
   StressSettings settings = small_settings();
-  settings.integrators.assign(integrator_names.begin(), integrator_names.end());
+  settings.integrators.assign(integrator_names().begin(), integrator_names().end());
   std::size_t finished = 0;
   for (const StressCell& cell : run_stress(cases, settings)) {
     INFO(cell.scenario << ' ' << cell.law << ' ' << cell.integrator << ": " << cell.message);

@@ -39,8 +39,8 @@ TEST_CASE("verify: the certified answers of the golden states are those of its o
         const auto& row = state.golden->row[law];
         if (!row) continue;
         ++certified;
-        const Reference reference = references(quantities, static_cast<Law>(law), {state})[0];
-        const Solution own = solve(quantities, static_cast<Law>(law), state);
+        const Reference reference = references(quantities, Law{law}, {state})[0];
+        const Solution own = solve(quantities, Law{law}, state);
         INFO(name_of(quantities) << " " << film_law_names[law] << ", " << state.golden->file << ", line " << row->line);
         CHECK(reference.golden == &*row);
         for (std::size_t k = 0; k < columns; ++k) {

@@ -45,7 +45,7 @@ std::array<double, most_answers> printed_forms(std::string_view law, const State
 
 /// Thinner than single precision can state well.
 bool has_thin_film(Quantities quantities, const State& state) {
-  return references(quantities, Law::short_full, {state})[0].gap < 5.1e-5;
+  return references(quantities, "short_full"_law, {state})[0].gap < 5.1e-5;
 }
 
 }  // namespace

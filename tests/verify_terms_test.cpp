@@ -141,7 +141,7 @@ TEST_CASE("verify: digits that fall off a cliff are not excused as those of a nu
 
 TEST_CASE("verify: a wrong law beside all eight is said to be none of them") {
   const Answers answers = answers_of(Quantities::cartesian, some_states(), [](const State& state) {
-    const Solution s = solve(Quantities::cartesian, Law::short_full, state);
+    const Solution s = solve(Quantities::cartesian, "short_full"_law, state);
     return std::array<Real, most_answers>{s.force.x() * std::exp(3 * s.ratio) + 2 * s.force.y(),
                                           s.force.y() * (1 + s.ratio) - s.force.x()};
   });

@@ -1,5 +1,7 @@
 #include "lubjoint/ode/integrators.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "lubjoint/ode/explicit_integrators.hpp"
@@ -9,16 +11,81 @@
 
 namespace lubjoint {
 
+namespace {
+
+template <std::size_t N>
+using Made = std::unique_ptr<Integrator<double, N>>;
+
+/// An integrator: its name, its kind, and how it is made for every number of states.
+struct Method {
+  std::string_view name;
+  bool is_stiff;
+  Made<2> (*of_two)(const StepTolerance<double, 2>&);
+  Made<4> (*of_four)(const StepTolerance<double, 4>&);
+  Made<run_time_size> (*of_any)(const StepTolerance<double, run_time_size>&);
+};
+
+template <template <std::size_t> class Kind, std::size_t N>
+Made<N> make(const StepTolerance<double, N>& tolerance) {
+  return std::make_unique<Kind<N>>(tolerance);
+}
+
+template <template <std::size_t> class Kind>
+constexpr Method method(std::string_view name, bool is_stiff) {
+  return {name, is_stiff, make<Kind, 2>, make<Kind, 4>, make<Kind, run_time_size>};
+}
+
+template <std::size_t N>
+using Radau = RadauIntegrator<double, N>;
+template <std::size_t N>
+using Dopri5 = Dopri5Integrator<double, N>;
+template <std::size_t N>
+using Fehlberg78 = Fehlberg78Integrator<double, N>;
+
+constexpr bool stiff = true;
+constexpr bool not_stiff = false;
+constexpr std::array methods = {method<Radau>("radau_iia5", stiff),
+                                method<detail::Rosenbrock4Integrator>("rosenbrock4", stiff),
+                                method<Dopri5>("dopri5", not_stiff),
+                                method<Fehlberg78>("fehlberg78", not_stiff),
+                                method<BulirschStoerIntegrator>("bulirsch_stoer", not_stiff),
+                                method<AdamsIntegrator>("adams_bashforth_moulton", not_stiff)};
+
+constexpr auto names = [] {
+  std::array<std::string_view, methods.size() + 1> all;
+  std::ranges::transform(methods, all.begin(), &Method::name);
+  all.back() = automatic_integrator;
+  return all;
+}();
+
+const Method* method_of(std::string_view name) {
+  const auto* found = std::ranges::find(methods, name, &Method::name);
+  return found == methods.end() ? nullptr : found;
+}
+
+}  // namespace
+
+std::span<const std::string_view> method_names() { return std::span(names).first(methods.size()); }
+
+std::span<const std::string_view> integrator_names() { return names; }
+
+bool is_stiff_integrator(std::string_view name) {
+  const Method* method = method_of(name);
+  return method && method->is_stiff;
+}
+
 template <std::size_t N>
 std::unique_ptr<Integrator<double, N>> make_integrator(std::string_view name,
                                                        const StepTolerance<double, N>& tolerance) {
-  if (name == "radau_iia5") return std::make_unique<RadauIntegrator<double, N>>(tolerance);
-  if (name == "rosenbrock4") return std::make_unique<detail::Rosenbrock4Integrator<N>>(tolerance);
-  if (name == "dopri5") return std::make_unique<Dopri5Integrator<double, N>>(tolerance);
-  if (name == "fehlberg78") return std::make_unique<Fehlberg78Integrator<double, N>>(tolerance);
-  if (name == "bulirsch_stoer") return std::make_unique<BulirschStoerIntegrator<N>>(tolerance);
-  if (name == "adams_bashforth_moulton") return std::make_unique<AdamsIntegrator<N>>(tolerance);
-  throw std::invalid_argument("there is no integrator \"" + std::string(name) + "\"");
+  const Method* method = method_of(name);
+  if (!method) throw std::invalid_argument("there is no integrator \"" + std::string(name) + "\"");
+  if constexpr (N == 2) {
+    return method->of_two(tolerance);
+  } else if constexpr (N == 4) {
+    return method->of_four(tolerance);
+  } else {
+    return method->of_any(tolerance);
+  }
 }
 
 template std::unique_ptr<Integrator<double, 2>> make_integrator(std::string_view, const StepTolerance<double, 2>&);

@@ -26,7 +26,7 @@ JournalScene journal_scene(const Scene& scene) {
   }
   const SceneBody& body = scene.bodies.front();
   const SceneJoint& joint = scene.joints.front();
-  if (joint.bearing.body) {
+  if (!joint.bearing.on_ground()) {
     refuse("joints[0].bearing.body is \"" + body.name + "\"; allowed is \"ground\"", joint.line);
   }
   if (!is_zero(joint.journal.point)) {

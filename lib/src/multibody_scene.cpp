@@ -18,31 +18,18 @@ namespace {
 /// Every point that a constraint or a joint fixes to a body.
 template <class Visit>
 void for_each_anchor(const Scene& scene, const Visit& visit) {
-  for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
-      visit(pin->first);
-      visit(pin->second);
-    } else if (const auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
-      visit(guide->first);
-      visit(guide->second);
-    }
-  }
+  for (const SceneConstraint& each : scene.constraints) each.visit_points(visit);
   for (const SceneJoint& joint : scene.joints) {
     visit(joint.bearing);
     visit(joint.journal);
   }
 }
 
-PlanarFrame<double> frame_at(const std::vector<double>& y, std::size_t body) {
-  if (body == ground_body) return PlanarFrame<double>(ground_motion<double>());
-  const double* q = y.data() + 3 * body;
-  const double* v = q + y.size() / 2;
-  return PlanarFrame<double>(
-      PlanarMotion<double>{Vector2<double>(q[0], q[1]), q[2], Vector2<double>(v[0], v[1]), v[2]});
-}
-
 JournalMotion<double> motion_at(const std::vector<double>& y, const JointElement<double>& joint) {
-  return joint.kinematics(frame_at(y, joint.bearing_at.body), frame_at(y, joint.journal_at.body)).motion;
+  return joint
+      .kinematics(PlanarFrame<double>(motion_in(y, joint.bearing_at.body)),
+                  PlanarFrame<double>(motion_in(y, joint.journal_at.body)))
+      .motion;
 }
 
 }  // namespace
@@ -50,7 +37,7 @@ JournalMotion<double> motion_at(const std::vector<double>& y, const JointElement
 SceneUnits scene_units(const Scene& scene) {
   SceneUnits units{0, 0, 0, 1 / scene.run.duration, 0};
   for_each_anchor(scene, [&](const SceneAnchor& anchor) {
-    if (anchor.body) units.mechanism = std::max(units.mechanism, anchor.point.norm());
+    if (!anchor.on_ground()) units.mechanism = std::max(units.mechanism, anchor.point.norm());
   });
   if (units.mechanism == 0) units.mechanism = scene.joints.empty() ? 1 : scene.joints.front().journal_radius;
   units.length = units.mechanism;
@@ -70,7 +57,7 @@ SceneUnits scene_units(const Scene& scene) {
     units.energy += std::abs(load.moment) + load.force.norm() * units.mechanism;
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* driver = std::get_if<SceneDriver>(&each.kind)) at_least(driver->speed);
+    if (const auto* driver = std::get_if<Driver<double>>(&each.constraint)) at_least(driver->speed);
   }
   for (const SceneBody& body : scene.bodies) {
     units.energy = std::max(units.energy, body.mass * std::pow(units.length * units.rate, 2));
@@ -85,7 +72,7 @@ bool is_free_journal(const Scene& scene) {
   const SceneJoint& joint = scene.joints.front();
   const bool turned = std::any_of(scene.loads.begin(), scene.loads.end(), [](const auto& l) { return l.moment != 0; });
   const bool slows_down = joint.shear && !scene.bodies.front().spin_is_held;
-  return !joint.contact && !turned && !slows_down && !joint.bearing.body && is_zero(joint.journal.point);
+  return !joint.contact && !turned && !slows_down && joint.bearing.on_ground() && is_zero(joint.journal.point);
 }
 
 namespace detail {

@@ -53,7 +53,7 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
 
 SceneLoad read_load(TableReader table, const Scene& scene) {
   SceneLoad load;
-  load.body = *read_body_name(table, "body", scene, false);
+  load.body = read_body_name(table, "body", scene, false);
   if (!table.has("moment") || table.has("force")) load.force = table.vector("force", "N");
   load.moment = table.number_or("moment", 0, Allowed::any, "N m");
   table.finish();
@@ -77,8 +77,8 @@ std::optional<ShearExtent> read_shear(TableReader& table, const std::string& fil
 
 /// Where an anchor is at t = 0, inertial [m].
 Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
-  if (!anchor.body) return anchor.point;
-  const SceneBody& body = scene.bodies[*anchor.body];
+  if (anchor.on_ground()) return anchor.point;
+  const SceneBody& body = scene.bodies[anchor.body];
   const double cosine = std::cos(body.angle);
   const double sine = std::sin(body.angle);
   const Vector2<double>& s = anchor.point;
@@ -130,8 +130,8 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
 
 void read_integrator(TableReader table, Scene& scene) {
   scene.integrator = table.text_or("name", scene.integrator);
-  if (std::find(integrator_names.begin(), integrator_names.end(), scene.integrator) == integrator_names.end()) {
-    table.refuse("name", in_quotes(scene.integrator), one_of(integrator_names, scene.integrator));
+  if (std::find(integrator_names().begin(), integrator_names().end(), scene.integrator) == integrator_names().end()) {
+    table.refuse("name", in_quotes(scene.integrator), one_of(integrator_names(), scene.integrator));
   }
   RunSettings& run = scene.run;
   run.relative_tolerance = table.number_or("relative_tolerance", run.relative_tolerance, Allowed::positive, "-");

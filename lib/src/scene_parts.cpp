@@ -1,7 +1,10 @@
 #include "scene_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+
+#include "lubjoint/text/nearest_name.hpp"
 
 namespace lubjoint {
 
@@ -27,22 +30,18 @@ SceneContact read_contact_table(TableReader table) {
   return contact;
 }
 
-SceneDriver read_driver(TableReader& table, const Scene& scene) {
-  SceneDriver driver;
-  driver.body = *read_body_name(table, "body", scene, false);
-  if (table.has("against")) driver.against = read_body_name(table, "against", scene, true);
-  if (driver.against == driver.body) {
-    table.refuse("against", in_quotes(scene.bodies[driver.body].name), "another body, or \"ground\"");
-  }
-  const double start = scene.bodies[driver.body].angle - (driver.against ? scene.bodies[*driver.against].angle : 0.0);
-  driver.angle = table.number_or("angle", start, Allowed::any, "rad");
-  if (!std::isfinite(driver.angle)) {
+Driver<double> read_driver(TableReader& table, const Scene& scene) {
+  const std::size_t body = read_body_name(table, "body", scene, false);
+  const std::size_t against = table.has("against") ? read_body_name(table, "against", scene, true) : ground_body;
+  if (against == body) table.refuse("against", in_quotes(scene.bodies[body].name), "another body, or \"ground\"");
+  const double start = scene.bodies[body].angle - (against == ground_body ? 0.0 : scene.bodies[against].angle);
+  const double angle = table.number_or("angle", start, Allowed::any, "rad");
+  if (!std::isfinite(angle)) {
     table.refuse("angle", "missing, and the bodies' angles differ by more than double precision can hold",
                  "a finite number [rad]");
   }
-  driver.speed = table.number("speed", Allowed::any, "rad/s");
-  driver.acceleration = table.number_or("acceleration", 0, Allowed::any, "rad/s^2");
-  return driver;
+  const double speed = table.number("speed", Allowed::any, "rad/s");
+  return {against, body, angle, speed, table.number_or("acceleration", 0, Allowed::any, "rad/s^2")};
 }
 
 /// Both sides of a pin or a guide.
@@ -53,6 +52,45 @@ std::pair<SceneAnchor, SceneAnchor> read_sides(TableReader& table, const Scene& 
   return {first, second};
 }
 
+GroundConstraint<double> read_ground(TableReader& table, const Scene& scene) {
+  const std::size_t number = read_body_name(table, "body", scene, false);
+  const SceneBody& body = scene.bodies[number];
+  const Vector2<double> position = table.vector_or("position", body.position, "m");
+  return {number, position, table.number_or("angle", body.angle, Allowed::any, "rad")};
+}
+
+Revolute<double> read_revolute(TableReader& table, const Scene& scene) {
+  const auto [first, second] = read_sides(table, scene);
+  return {first, second};
+}
+
+Translational<double> read_translational(TableReader& table, const Scene& scene) {
+  const auto [first, second] = read_sides(table, scene);
+  Vector2<double> axis = table.vector("axis", "-");
+  const double largest = axis.cwiseAbs().maxCoeff();  // first, lest squares overflow or vanish
+  if (!(largest > 0)) table.refuse("axis", "[0, 0]", "a direction, fixed to the body of first");
+  axis /= largest;
+  axis /= axis.norm();
+  return {first, axis, second, table.number_or("angle", 0, Allowed::any, "rad")};
+}
+
+/// How a type of constraint is read from its table.
+struct ConstraintReader {
+  std::string_view type;
+  AnyConstraint<double> (*read)(TableReader&, const Scene&);
+};
+
+template <auto read>
+AnyConstraint<double> as_any(TableReader& table, const Scene& scene) {
+  return read(table, scene);
+}
+
+constexpr ConstraintReader constraint_readers[] = {{"ground", as_any<read_ground>},
+                                                   {"revolute", as_any<read_revolute>},
+                                                   {"translational", as_any<read_translational>},
+                                                   {"driver", as_any<read_driver>}};
+static_assert(std::size(constraint_readers) == std::variant_size_v<AnyConstraint<double>>, "a reader for each");
+
 }  // namespace
 
 std::string with_unit(double value, const char* unit) {
@@ -62,10 +100,9 @@ std::string with_unit(double value, const char* unit) {
   return text.str();
 }
 
-std::optional<std::size_t> read_body_name(TableReader& table, std::string_view key, const Scene& scene,
-                                          bool ground_is_allowed) {
+std::size_t read_body_name(TableReader& table, std::string_view key, const Scene& scene, bool ground_is_allowed) {
   const std::string name = table.text(key);
-  if (ground_is_allowed && name == "ground") return std::nullopt;
+  if (ground_is_allowed && name == "ground") return ground_body;
   const auto body =
       std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto& b) { return b.name == name; });
   if (body == scene.bodies.end()) {
@@ -116,29 +153,13 @@ SceneConstraint read_constraint(TableReader table, const Scene& scene) {
     table.refuse("name", in_quotes(constraint.name), "a name that no other constraint or joint has");
   }
   const std::string type = table.text("type");
-  if (type == "ground") {
-    SceneGround ground;
-    ground.body = *read_body_name(table, "body", scene, false);
-    const SceneBody& body = scene.bodies[ground.body];
-    ground.position = table.vector_or("position", body.position, "m");
-    ground.angle = table.number_or("angle", body.angle, Allowed::any, "rad");
-    constraint.kind = ground;
-  } else if (type == "revolute") {
-    const auto [first, second] = read_sides(table, scene);
-    constraint.kind = SceneRevolute{first, second};
-  } else if (type == "translational") {
-    const auto [first, second] = read_sides(table, scene);
-    Vector2<double> axis = table.vector("axis", "-");
-    const double largest = axis.cwiseAbs().maxCoeff();  // first, lest squares overflow or vanish
-    if (!(largest > 0)) table.refuse("axis", "[0, 0]", "a direction, fixed to the body of first");
-    axis /= largest;
-    axis /= axis.norm();
-    constraint.kind = SceneTranslational{first, axis, second, table.number_or("angle", 0, Allowed::any, "rad")};
-  } else if (type == "driver") {
-    constraint.kind = read_driver(table, scene);
-  } else {
-    table.refuse("type", in_quotes(type), "one of ground, revolute, translational, driver");
+  const auto* known = std::ranges::find(constraint_readers, type, &ConstraintReader::type);
+  if (known == std::end(constraint_readers)) {
+    std::vector<std::string_view> types;
+    for (const ConstraintReader& each : constraint_readers) types.push_back(each.type);
+    table.refuse("type", in_quotes(type), one_of(types, type));
   }
+  constraint.constraint = known->read(table, scene);
   table.finish();
   return constraint;
 }

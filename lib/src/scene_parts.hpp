@@ -19,8 +19,7 @@ bool is_taken(const Items& items, const std::string& name) {
 }
 
 /// A body by its name. @throws SceneError that lists the bodies, as do all below with what they refuse
-std::optional<std::size_t> read_body_name(TableReader& table, std::string_view key, const Scene& scene,
-                                          bool ground_is_allowed);
+std::size_t read_body_name(TableReader& table, std::string_view key, const Scene& scene, bool ground_is_allowed);
 SceneAnchor read_anchor(TableReader table, const Scene& scene);
 
 /// Keys transition and contact of a joint whose film and clearance are known.

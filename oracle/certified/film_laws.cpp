@@ -48,6 +48,11 @@ PolarBalls pinkus_sternlicht(const FilmBalls& film) {
 
 }  // namespace
 
+LawEntry law_entry(Law law, std::string_view name) {
+  const LawFacts& facts = law_facts(name);
+  return {law, facts.name, facts.is_short(), facts.extent, facts.has_pressure};
+}
+
 Ball force_scale(const LawEntry& law, double viscosity, double length, double radius, const Ball& clearance) {
   const Ball l(length);
   const Ball r(radius);

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "oracle/certified/ball.hpp"
 
 namespace lubjoint::certified {
@@ -19,7 +20,7 @@ enum class Law {
   pinkus_sternlicht
 };
 
-enum class Extent { full, half, dynamic };
+using Extent = FilmExtent;
 
 struct LawEntry {
   Law law;
@@ -29,16 +30,14 @@ struct LawEntry {
   bool has_pressure;  ///< its force is the integral of a pressure field
 };
 
-inline constexpr std::array<LawEntry, 8> laws = {{
-    {Law::short_full, "short_full", true, Extent::full, true},
-    {Law::short_half, "short_half", true, Extent::half, true},
-    {Law::short_dynamic, "short_dynamic", true, Extent::dynamic, true},
-    {Law::long_full, "long_full", false, Extent::full, true},
-    {Law::long_half, "long_half", false, Extent::half, true},
-    {Law::long_half_eq5, "long_half_eq5", false, Extent::half, true},
-    {Law::long_dynamic, "long_dynamic", false, Extent::dynamic, true},
-    {Law::pinkus_sternlicht, "pinkus_sternlicht", false, Extent::dynamic, false},
-}};
+/// With what the law of that name says of itself.
+LawEntry law_entry(Law law, std::string_view name);
+
+inline const std::array<LawEntry, 8> laws = {
+    law_entry(Law::short_full, "short_full"),       law_entry(Law::short_half, "short_half"),
+    law_entry(Law::short_dynamic, "short_dynamic"), law_entry(Law::long_full, "long_full"),
+    law_entry(Law::long_half, "long_half"),         law_entry(Law::long_half_eq5, "long_half_eq5"),
+    law_entry(Law::long_dynamic, "long_dynamic"),   law_entry(Law::pinkus_sternlicht, "pinkus_sternlicht")};
 
 /// ε, a = ε(ω − 2γ̇) and b = ε̇, enclosed. Zeros of a and b are exact zeros.
 struct FilmBalls {

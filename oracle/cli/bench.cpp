@@ -6,6 +6,7 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"
@@ -200,7 +201,7 @@ int run_bench(BenchOptions options) {
 void add_bench(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command =
-      app.add_subcommand("bench", "Error against run time: laws, quadrature rules, finite-length films, scenes");
+      app.add_subcommand("bench", words_of("bench"));
   command->add_option("tables", options->tables, described_tables());
   command->add_option("--scene", options->scene_files, "Scene files in place of those that ship");
   command->add_option("--integrator", options->integrators, "These integrators alone (of scenes)");

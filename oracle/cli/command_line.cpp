@@ -1,7 +1,10 @@
 #include "oracle/cli/command_line.hpp"
 
+#include <iostream>
+
 #include "lubjoint/text/nearest_name.hpp"
 #include "lubjoint/text/printable.hpp"
+#include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
 
@@ -29,34 +32,36 @@ std::string in_own_words(const CLI::App& app, const CLI::ParseError& error, int 
 
 }  // namespace
 
-void add_commands(CLI::App& app, Action& action) {
+void prepare(CLI::App& app) {
   app.require_subcommand(1);
   app.set_version_flag("--version", LUBJOINT_VERSION);
-  add_reproduce(app, action);
-  add_simulate(app, action);
-  add_force(app, action);
-  add_losses(app, action);
-  add_equilibrium(app, action);
-  add_coefficients(app, action);
-  add_stability(app, action);
-  add_oracle(app, action);
-  add_model_error(app, action);
-  add_accuracy(app, action);
-  add_bench(app, action);
-  add_cost(app, action);
-  add_sweep(app, action);
-  add_stress(app, action);
-#if LUBJOINT_HAS_CERTIFIED
-  add_golden(app, action);
-#endif
-  add_verify(app, action);
-#if LUBJOINT_HAS_PROOFS
-  add_prove(app, action);
-#endif
 }
 
 std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   return printable(in_own_words(app, error, argc, argv));
+}
+
+int run_program(int argc, char** argv, void (*add)(CLI::App&, Action&)) {
+  reports::remove_temporary_files_on_interrupt();
+  CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
+  Action action;
+  prepare(app);
+  add(app, action);
+  try {
+    app.parse(argc, argv);
+    const int status = action();
+    if (!std::cout.flush()) throw std::runtime_error("standard output can't be written; allowed is one that takes all");
+    return status;
+  } catch (const CLI::Success& wanted) {
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "lubjoint: " << refusal(app, error, argc, argv)
+              << "\nlubjoint --help, or lubjoint COMMAND --help, says what is allowed\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "lubjoint: " << error.what() << '\n';
+    return 2;
+  }
 }
 
 }  // namespace lubjoint::cli

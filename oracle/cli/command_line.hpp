@@ -1,14 +1,22 @@
-/// The program's parser: all commands.
+/// The programs' parsers.
 #pragma once
 
 #include "oracle/cli/command.hpp"
 
 namespace lubjoint::cli {
 
-/// Adds every command and --version. Parsing sets the action of the command that was named and touches nothing else.
+/// One command must be given; and --version.
+void prepare(CLI::App& app);
+
+/// The commands of the program `lubjoint`: its own, and those of other programs, which it runs.
+/// Parsing sets the action of the command that was named and touches nothing else.
 void add_commands(CLI::App& app, Action& action);
 
 /// What is wrong with the arguments, in one line.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv);
+
+/// A program: parses, acts. @returns the exit status: 0 done; 1 the answer is no (a run stopped, a check failed); 2 bad
+/// usage or input
+int run_program(int argc, char** argv, void (*add)(CLI::App&, Action&));
 
 }  // namespace lubjoint::cli

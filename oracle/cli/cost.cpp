@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/measure/chain_cost.hpp"
 #include "oracle/measure/scene_cost.hpp"
@@ -14,7 +15,7 @@ void add_cost(CLI::App& app, Action& action) {
     std::size_t rounds = 51;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("cost", "What a scene pays for in a right-hand side, and what it leaves out");
+  CLI::App* command = app.add_subcommand("cost", words_of("cost"));
   CLI::Option* file = command->add_option("scene", options->file, "Scene file (TOML)");
   options->add_law(*command);
   command->add_flag("--chain", options->chain, "In place of a scene: chains of 1 to 200 pendulums");

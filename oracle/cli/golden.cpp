@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/trajectories/golden_trajectories.hpp"
@@ -62,7 +63,7 @@ int run_trajectories(const GoldenOptions& options) {
 
 void add_golden(CLI::App& app, Action& action) {
   auto options = std::make_shared<GoldenOptions>();
-  CLI::App* command = app.add_subcommand("golden", "Regenerate the certified golden data, or compare with it");
+  CLI::App* command = app.add_subcommand("golden", words_of("golden"));
   command->add_flag("--check", options->check, "Compare byte for byte instead of writing; exit status 1 if different");
   command->add_option("--out", options->out, "Folder of the golden data")->capture_default_str();
   command->add_option("--threads", options->run.threads, "Threads; 0: one a core")->check(CLI::Range(0, 256));

@@ -1,28 +1,62 @@
-// lubjoint COMMAND: the program. Exit status 0: done; 1: the answer is no (a run stopped, a check failed); 2: bad usage
-// or input.
-#include <iostream>
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
 
 #include "oracle/cli/command_line.hpp"
-#include "oracle/files/files.hpp"
+#include "oracle/cli/other_programs.hpp"
+
+namespace lubjoint::cli {
+
+namespace {
+
+char** given_arguments = nullptr;
+
+/// Becomes the other program, with the same arguments. Returns if it can't.
+int become(const OtherProgram& other) {
+  const auto file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / other.program;
+  ::execv(file.c_str(), given_arguments);
+  if (errno != ENOENT) throw std::system_error(errno, std::generic_category(), file.string());
+  throw std::runtime_error(std::string(other.command) + " is a command of " + file.string() +
+                           ", which was not built; in a checkout ./lubjoint " + std::string(other.command) +
+                           " builds it");
+}
+
+void add_other(CLI::App& app, Action& action, std::string_view command) {
+  for (const OtherProgram& each : other_programs) {
+    if (each.command != command) continue;
+    CLI::App* added = app.add_subcommand(std::string(command), std::string(each.words));
+    added->set_help_flag();
+    added->prefix_command();
+    added->callback([&each, &action] { action = [&each] { return become(each); }; });
+  }
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Action& action) {
+  add_reproduce(app, action);
+  add_simulate(app, action);
+  add_force(app, action);
+  add_losses(app, action);
+  add_equilibrium(app, action);
+  add_coefficients(app, action);
+  add_stability(app, action);
+  add_oracle(app, action);
+  add_model_error(app, action);
+  add_accuracy(app, action);
+  add_other(app, action, "bench");
+  add_other(app, action, "cost");
+  add_sweep(app, action);
+  add_other(app, action, "stress");
+  add_other(app, action, "golden");
+  add_other(app, action, "verify");
+  add_other(app, action, "prove");
+}
+
+}  // namespace lubjoint::cli
 
 int main(int argc, char** argv) {
-  lubjoint::reports::remove_temporary_files_on_interrupt();
-  CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
-  lubjoint::cli::Action action;
-  lubjoint::cli::add_commands(app, action);
-  try {
-    app.parse(argc, argv);
-    const int status = action();
-    if (!std::cout.flush()) throw std::runtime_error("standard output can't be written; allowed is one that takes all");
-    return status;
-  } catch (const CLI::Success& wanted) {
-    return app.exit(wanted);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "lubjoint: " << lubjoint::cli::refusal(app, error, argc, argv)
-              << "\nlubjoint --help, or lubjoint COMMAND --help, says what is allowed\n";
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "lubjoint: " << error.what() << '\n';
-    return 2;
-  }
+  lubjoint::cli::given_arguments = argv;
+  return lubjoint::cli::run_program(argc, argv, lubjoint::cli::add_commands);
 }

@@ -72,7 +72,7 @@ std::vector<std::string> force_columns(bool dynamic) {
 std::string one_dimensional_forces(const ForceOptions& options, const reports::CsvTable& states) {
   const auto film = oracle::one_dimensional_film(options.film);
   const oracle::FilmQuadratureOptions how{rule_of(options.rule), options.rtol.value_or(1e-13)};
-  const bool dynamic = oracle::entry_of(film).extent == FilmExtent::dynamic;
+  const bool dynamic = oracle::entry_of(film).extent() == FilmExtent::dynamic;
   const Bearing<double> bearing = options.bearing();
   const Lubricant<double> oil = options.oil();
   return answered_rows(states, force_columns(dynamic), [&](const PolarFilmState<double>& state) {

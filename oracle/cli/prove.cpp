@@ -6,6 +6,8 @@
 #include <ostream>
 
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/other_programs.hpp"
+#include "oracle/files/files.hpp"
 #include "oracle/files/progress.hpp"
 
 namespace lubjoint::cli {
@@ -44,36 +46,40 @@ nlohmann::ordered_json as_json(const std::vector<proofs::ProofResult>& results) 
 
 }  // namespace
 
-std::vector<reports::page::ProofEntry> proof_entries(const std::vector<proofs::ProofResult>& results) {
-  std::vector<reports::page::ProofEntry> entries;
-  entries.reserve(results.size());
-  for (const proofs::ProofResult& result : results) {
-    entries.push_back({result.group, result.statement, result.source, proofs::verdict(result), result.as_expected()});
+reports::page::ProofLedger stored_ledger(const std::vector<proofs::ProofResult>& results) {
+  reports::page::ProofLedger ledger{reports::proof_sources(), {}};
+  ledger.statements.reserve(results.size());
+  for (const proofs::ProofResult& each : results) {
+    ledger.statements.push_back(
+        {each.group, each.statement, each.source, proofs::verdict(each), each.as_expected()});
   }
-  return entries;
+  return ledger;
 }
 
-int run_prove(bool json, std::ostream& out, const proofs::Progress& progress) {
+int run_prove(bool json, std::ostream& out, const proofs::Progress& progress, const std::string& store) {
   const std::vector<proofs::ProofResult> results = proofs::prove_all(progress);
   if (json) {
     out << as_json(results).dump(2) << "\n";
   } else {
     out << proofs::ledger_table(results);
   }
+  if (!store.empty()) reports::write_file(store, ledger_json(stored_ledger(results)));
   return proofs::ledger_closes(results) ? 0 : 1;
 }
 
 void add_prove(CLI::App& app, Action& action) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("prove", "The proof ledger: formulas proved symbolically, mistakes refuted");
+  auto store = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("prove", words_of("prove"));
   command->add_flag("--json", *json, "One JSON object");
-  command->callback([json, &action] {
-    action = [json] {
+  command->add_option("--store", *store, "File for the ledger that the report shows: data/proofs/ledger.json");
+  command->callback([json, store, &action] {
+    action = [json, store] {
       std::optional<reports::ProgressBar> bar;
       return run_prove(*json, std::cout, [&bar](const proofs::ProofResult&, std::size_t, std::size_t total) {
         if (!bar) bar.emplace("proofs", total);
         bar->advance();
-      });
+      }, *store);
     };
   });
 }

@@ -8,9 +8,6 @@
 #include "oracle/files/files.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"
 #include "oracle/page/page.hpp"
-#ifdef LUBJOINT_HAS_PROOFS
-#include "oracle/cli/prove.hpp"
-#endif
 
 namespace lubjoint::cli {
 
@@ -69,9 +66,8 @@ int reproduce(const Options& options) {
   std::cout << '\n' << reports::example_2_table(content.slider_crank);
   content.laws = reports::check_laws({});
   std::cout << '\n' << reports::law_check_table(content.laws);
-#ifdef LUBJOINT_HAS_PROOFS
-  content.proofs = proof_entries(proofs::prove_all());
-#endif
+  const fs::path ledger = reports::data_folder() / "proofs" / "ledger.json";
+  if (fs::exists(ledger)) content.proofs = page::read_ledger(reports::read_input(ledger.string()), ledger.string());
   content.provenance = page::provenance(LUBJOINT_VERSION, {{"CLI11", CLI11_VERSION}});
 
   auto files = reports::write_example_1(content.journal, options.out);

@@ -39,7 +39,7 @@ struct SceneOptions {
   /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
   void require() const {
     if (law) require_name("--law", *law, film_law_names);
-    if (integrator) require_name("--integrator", *integrator, integrator_names);
+    if (integrator) require_name("--integrator", *integrator, integrator_names());
     if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
   }

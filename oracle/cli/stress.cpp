@@ -6,6 +6,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
@@ -44,7 +45,7 @@ std::vector<reports::StressCase> wanted_cases(const StressOptions& options) {
 reports::StressSettings settings_of(const StressOptions& options) {
   reports::StressSettings settings = reports::stress_settings(options.quick);
   for (const std::string& name : options.laws) require_name("--law", name, film_law_names);
-  for (const std::string& name : options.integrators) require_name("--integrator", name, integrator_names);
+  for (const std::string& name : options.integrators) require_name("--integrator", name, integrator_names());
   if (!options.laws.empty()) settings.laws = options.laws;
   if (!options.integrators.empty()) settings.integrators = options.integrators;
   settings.references = reports::StressReferences::read(options.against);
@@ -58,7 +59,7 @@ reports::StressSettings settings_of(const StressOptions& options) {
 void add_stress(CLI::App& app, Action& action) {
   auto options = std::make_shared<StressOptions>();
   CLI::App* command =
-      app.add_subcommand("stress", "Numerical stability: extreme cases x laws x integrators; exit 1 if any is wrong");
+      app.add_subcommand("stress", words_of("stress"));
   command->add_option("--out", options->out,
                       "Folder for stress.csv and the heat map; a run that was interrupted goes on from what is there");
   CLI::Option* references = command->add_option(

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lubjoint/film/law_list.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"
@@ -198,7 +199,7 @@ int run(const VerifyOptions& o) {
 
 void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand("verify", "Is another implementation right, and if not, what is its mistake?");
+  CLI::App* command = app.add_subcommand("verify", words_of("verify"));
   command->add_option("--law", options->law,
                       "Film law that it claims, or auto: find out; with --scene, in place of the scene's");
   command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");

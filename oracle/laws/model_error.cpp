@@ -208,13 +208,6 @@ std::vector<Sample> some_of(const std::vector<Sample>& samples, std::size_t stat
   return some;
 }
 
-PlanarMotion<double> motion_of(const std::optional<std::size_t>& body, const std::vector<double>& state) {
-  if (!body) return ground_motion<double>();
-  const double* q = state.data() + 3 * *body;
-  const double* v = q + state.size() / 2;
-  return {Vector2<double>(q[0], q[1]), q[2], Vector2<double>(v[0], v[1]), v[2]};
-}
-
 }  // namespace
 
 VisitedModelError visited_model_error(const Scene& scene, const JournalTrajectory& run, std::size_t states) {
@@ -233,8 +226,8 @@ VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, con
   if (at.film == no_film) return {};
   std::vector<FilmState<double>> films;
   for (const MultibodySample& sample : some_of(run.samples, states)) {
-    const JournalMotion<double> motion = joint_kinematics(motion_of(at.bearing.body, sample.state), at.bearing.point,
-                                                          motion_of(at.journal.body, sample.state), at.journal.point)
+    const JournalMotion<double> motion = joint_kinematics(motion_in(sample.state, at.bearing.body), at.bearing.point,
+                                                          motion_in(sample.state, at.journal.body), at.journal.point)
                                              .motion;
     const Vector2<double> e = motion.eccentricity / at.clearance;
     if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact

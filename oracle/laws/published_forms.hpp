@@ -4,6 +4,8 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -126,6 +128,7 @@ PublishedTerms<R> published_terms_at(std::string_view law, const R& epsilon, con
     return {{(a * j(1, 1) - 2 * b * j(0, 2)) / 2}, {(a * j(2, 0) - 2 * b * j(1, 1)) / 2}};
   }
   const R constant = -(a * j(0, 1) + 2 * b * j(1, 0)) / j(0, 0);
+  if (law != "long_dynamic") throw std::invalid_argument("no form of the law " + std::string(law) + " is published");
   return {{-6 * (a * j(1, 1) + 2 * b * j(2, 0) + constant * j(1, 0))},
           {6 * (a * j(0, 2) + 2 * b * j(1, 1) + constant * j(0, 1))}};
 }

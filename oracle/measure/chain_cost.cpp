@@ -36,7 +36,7 @@ Scene pendulums(std::size_t count) {
     scene.bodies.push_back(rod);
     SceneAnchor above;
     if (i > 0) above = {i - 1, {0, -half}};
-    scene.constraints.push_back({"pin" + std::to_string(i), SceneRevolute{above, {i, {0, half}}}});
+    scene.constraints.push_back({"pin" + std::to_string(i), Revolute<double>{above, {i, {0, half}}}});
   }
   return scene;
 }

@@ -33,8 +33,8 @@ Reference exact_force(const oracle::OneDimensionalFilmEntry& film, const Bearing
   const Exact length(bearing.length());
   const Exact radius(bearing.radius());
   const Exact clearance(bearing.clearance());
-  const Exact scale = (film.limit == BearingLimit::short_bearing ? Exact(radius * length * length * length)
-                                                                 : Exact(length * radius * radius * radius)) /
+  const Exact scale = (film.limit() == BearingLimit::short_bearing ? Exact(radius * length * length * length)
+                                                                   : Exact(length * radius * radius * radius)) /
                       (clearance * clearance);
   Exact radial = 0;
   Exact tangential = 0;
@@ -68,7 +68,7 @@ std::vector<QuadratureTiming> time_quadrature(bool quick) {
       const auto rule = static_cast<oracle::FilmQuadratureRule>(r);
       for (const double gap : gaps) {
         progress.advance();
-        if (rule == oracle::FilmQuadratureRule::trapezoid && film.extent != FilmExtent::full) continue;
+        if (rule == oracle::FilmQuadratureRule::trapezoid && film.extent() != FilmExtent::full) continue;
         for (const double tolerance : tolerances) {
           QuadratureTiming row{std::string(film.name), std::string(rules[r]), gap, tolerance, 0, 0, 0};
           std::vector<double> times;

@@ -102,7 +102,7 @@ class Measurement {
 
 // Variants of a scene.
 
-bool is_pin(const SceneConstraint& each) { return std::holds_alternative<SceneRevolute>(each.kind); }
+bool is_pin(const SceneConstraint& each) { return std::holds_alternative<Revolute<double>>(each.constraint); }
 
 SceneContact steel() { return {207e9, 0.3, 207e9, 0.3, 0.9, 1e-3, 0.0, 1e-3}; }
 
@@ -132,7 +132,7 @@ Scene with_lubricated_pins(Scene scene) {
   model.clearance = 0.0002;
   for (const SceneConstraint& each : scene.constraints) {
     if (!is_pin(each)) continue;
-    const auto& pin = std::get<SceneRevolute>(each.kind);
+    const auto& pin = std::get<Revolute<double>>(each.constraint);
     model.name = each.name;
     model.bearing = pin.first;
     model.journal = pin.second;
@@ -144,7 +144,7 @@ Scene with_lubricated_pins(Scene scene) {
 
 Scene with_ideal_joints(Scene scene) {
   for (const SceneJoint& joint : scene.joints) {
-    scene.constraints.push_back({joint.name, SceneRevolute{joint.bearing, joint.journal}});
+    scene.constraints.push_back({joint.name, Revolute<double>{joint.bearing, joint.journal}});
   }
   scene.joints.clear();
   return scene;

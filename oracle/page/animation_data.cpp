@@ -66,15 +66,15 @@ class Bytes {
 
 /// The film whose pressure is drawn for a law: Pinkus–Sternlicht has none and gets the one that it approximates.
 oracle::OneDimensionalFilm drawn_film(const std::string& law) {
-  return oracle::one_dimensional_film(law == "pinkus_sternlicht" ? "long_dynamic" : law);
+  return oracle::one_dimensional_film(law_facts(law).has_pressure ? law : "long_dynamic");
 }
 
 std::string pressure_words(const std::string& law) {
-  if (law == "pinkus_sternlicht") {
+  if (!law_facts(law).has_pressure) {
     return "Pinkus and Sternlicht’s force is the integral of no pressure. Drawn is the pressure of the long dynamic "
            "film at the same state, which the law approximates; the arrow is the law’s own force.";
   }
-  const bool is_short = law.starts_with("short");
+  const bool is_short = law_facts(law).is_short();
   return std::string("The pressure is the one that the law integrates") +
          (is_short ? ", in the middle of the bearing’s length." : ", the same all along the bearing.");
 }
@@ -175,13 +175,6 @@ Json journal_run(const Example1Law& item) {
   return run;
 }
 
-PlanarMotion<double> motion_of(const std::vector<double>& state, const std::optional<std::size_t>& body) {
-  if (!body) return ground_motion<double>();
-  const double* q = &state[3 * *body];
-  const double* v = q + state.size() / 2;
-  return {Vector2<double>(q[0], q[1]), q[2], Vector2<double>(v[0], v[1]), v[2]};
-}
-
 std::size_t body_named(const Scene& scene, const std::string& name) {
   const auto found =
       std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const SceneBody& body) { return body.name == name; });
@@ -201,8 +194,8 @@ Json slider_crank_run(const Example2Case& item) {
   double end = 0;
   for (std::size_t i = 0; i < samples.size(); i += stride) {
     const std::vector<double>& state = samples[i].state;
-    const auto kinematics = joint_kinematics(motion_of(state, joint.bearing.body), joint.bearing.point,
-                                             motion_of(state, joint.journal.body), joint.journal.point);
+    const auto kinematics = joint_kinematics(motion_in(state, joint.bearing.body), joint.bearing.point,
+                                             motion_in(state, joint.journal.body), joint.journal.point);
     frames.add(film_state(kinematics.motion, joint.clearance), samples[i].joints.front().force);
     mechanism.float32(state[3 * crank + 2]);
     mechanism.float32(state[3 * rod + 2]);

@@ -102,22 +102,7 @@ std::string sliding_words(const Example1& example) {
 
 }  // namespace
 
-std::string law_words(std::string_view law) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words = {{
-      {"short_full", "short bearing, full film"},
-      {"short_half", "short bearing, half film"},
-      {"short_dynamic", "short bearing, dynamic film"},
-      {"long_full", "long bearing, full film"},
-      {"long_half", "long bearing, half film"},
-      {"long_half_eq5", "long bearing, eq. 5 cut at π"},
-      {"long_dynamic", "long bearing, dynamic film"},
-      {"pinkus_sternlicht", "Pinkus–Sternlicht"},
-  }};
-  for (const auto& [name, text] : words) {
-    if (name == law) return std::string(text);
-  }
-  return std::string(law);
-}
+std::string law_words(std::string_view law) { return std::string(law_facts(law).words); }
 
 Section journal_section(const Content& content) {
   const Example1& example = content.journal;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "oracle/page/panel.hpp"
 #include "oracle/page/sections.hpp"
 
@@ -22,7 +23,7 @@ Panel rounding_panel(const LawChecks& checks, const std::string& id, const std::
   std::string curves;
   std::size_t used = 0;
   for (const LawCheck& law : checks.laws) {
-    if (law.law.starts_with("short") != is_short) continue;
+    if (law_facts(law.law).is_short() != is_short) continue;
     const std::string block = fmt::format("$d{}", used);
     blocks += block + " << EOD\n";
     for (const AccuracyRow& row : checks.rounding) {

@@ -12,8 +12,7 @@
 namespace lubjoint::reports::page {
 
 bool Content::passed() const {
-  const bool proved =
-      !proofs || std::all_of(proofs->begin(), proofs->end(), [](const auto& p) { return p.as_expected; });
+  const bool proved = !proofs || proofs->closes();
   const bool stable = !stability || std::none_of(stability->rows.begin(), stability->rows.end(),
                                                  [](const auto& row) { return row.status == RowStatus::wrong; });
   return journal.passed() && slider_crank.passed() && laws.passed() && proved && stable;

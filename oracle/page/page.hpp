@@ -14,6 +14,7 @@
 
 #include "oracle/laws/law_check.hpp"
 #include "oracle/laws/model_error.hpp"
+#include "oracle/page/proof_ledger.hpp"
 #include "oracle/page/provenance.hpp"
 #include "oracle/page/run_data.hpp"
 #include "oracle/paper/example_1.hpp"
@@ -29,22 +30,13 @@ struct BearingModelError {
   std::vector<VisitedModelError> visited;  ///< by the orbits of example 1, in the order of the laws
 };
 
-/// A statement of the proof ledger.
-struct ProofEntry {
-  std::string group;
-  std::string statement;
-  std::string source;
-  std::string verdict;
-  bool as_expected = false;
-};
-
 /// What the page tells of.
 struct Content {
   Example1 journal;
   Example2 slider_crank;
   LawChecks laws;
   BearingModelError model_error;
-  std::optional<std::vector<ProofEntry>> proofs;  ///< where the build can prove
+  std::optional<ProofLedger> proofs;              ///< the stored ledger, where it is there
   std::optional<RunTimes> run_times;              ///< error against run time, where it was measured
   std::optional<Stability> stability;             ///< extreme cases, where they were run
   Provenance provenance;

@@ -30,17 +30,20 @@ std::string difference_of(const std::vector<const Verdict*>& verdicts, const std
   return "–";
 }
 
-void proofs_row(Table& table, const std::optional<std::vector<ProofEntry>>& proofs) {
+void proofs_row(Table& table, const std::optional<ProofLedger>& proofs) {
   const char* what = "the formulas themselves";
   const char* how = "computer algebra: identities that normalise to zero, and mistakes that do not";
   if (!proofs) {
-    table.row({what, how, "–", "not in this build: ./lubjoint prove"});
+    table.row({what, how, "–", "no stored ledger: ./lubjoint prove"});
     return;
   }
-  const auto good = std::count_if(proofs->begin(), proofs->end(), [](const auto& p) { return p.as_expected; });
+  const auto good = std::count_if(proofs->statements.begin(), proofs->statements.end(),
+                                  [](const ProofEntry& each) { return each.as_expected; });
+  const std::string words = fmt::format("{} of {} as they should be", good, proofs->statements.size());
+  // Ticked only for the formulas that this program was built beside.
   table.row({what, how, "exact",
-             verdict_cell(static_cast<std::size_t>(good) == proofs->size(),
-                          fmt::format("{} of {} as they should be", good, proofs->size()))});
+             proofs->is_of_these_sources() ? verdict_cell(proofs->closes(), words)
+                                           : Cell{"– " + words + ", proved of other sources: ./lubjoint prove", ""}});
 }
 
 void stability_row(Table& table, const std::optional<Stability>& stability) {

@@ -54,7 +54,7 @@ long double published_scale(const std::string& law, const JournalScene& parts) {
   const long double r = parts.bearing.radius();
   const long double l = parts.bearing.length();
   const long double c = parts.bearing.clearance();
-  const bool is_short = law.starts_with("short");
+  const bool is_short = law_facts(law).is_short();
   return parts.oil.viscosity() * (is_short ? r * l * l * l : l * r * r * r) / (c * c);
 }
 

@@ -95,7 +95,7 @@ std::string stability_warning(std::string_view law) {
       "{} whirls at {:.3f} times the spin as the eccentricity goes to 0, where every film that is isotropic at the "
       "centre whirls at half of it: its damping there depends on the direction of e. For stability use a law without "
       "this fault, such as {}",
-      law, whirl, law.starts_with("long") ? "long_dynamic" : "short_dynamic");
+      law, whirl, law_facts(law).is_short() ? "short_dynamic" : "long_dynamic");
 }
 
 }  // namespace lubjoint::reports

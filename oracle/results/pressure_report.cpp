@@ -19,7 +19,7 @@ oracle::PressureField one_dimensional_pressure(oracle::OneDimensionalFilm film, 
   oracle::PressureField field;
   for (int i = 0; i < angles; ++i) field.theta.push_back(2 * pi_v * i / (angles - 1));
   for (int j = 0; j < stations; ++j) field.z.push_back(bearing.length() * (j / (stations - 1.0) - 0.5));
-  const bool along = entry_of(film).limit == BearingLimit::short_bearing;
+  const bool along = entry_of(film).limit() == BearingLimit::short_bearing;
   for (const double theta : field.theta) {
     const double middle = film_pressure_by_quadrature(film, bearing, oil, state, theta).value;
     for (const double z : field.z) {

@@ -54,7 +54,7 @@ FilmPair force_integrals(const OneDimensionalFilmEntry& entry, const NarrowGap& 
                          const FilmQuadratureOptions& options, double& factor) {
   if (entry.pressure_by_ode) {
     factor = 6;
-    const bool edges_are_zeros = entry.extent == FilmExtent::dynamic;
+    const bool edges_are_zeros = entry.extent() == FilmExtent::dynamic;
     return integrate_pressure_slope(gap, window, edges_are_zeros, options.rule, options.relative_tolerance);
   }
   const KnownPressure pressure(gap, entry);
@@ -66,8 +66,8 @@ FilmPair force_integrals(const OneDimensionalFilmEntry& entry, const NarrowGap& 
 FilmForceEstimate with_bounds(const OneDimensionalFilmEntry& entry, const FilmWindow& window) {
   FilmForceEstimate force{};
   force.theta_s = window.from + pi;
-  if (entry.extent == FilmExtent::dynamic && force.theta_s > pi) force.theta_s -= 2 * pi;
-  if (entry.extent == FilmExtent::dynamic && force.theta_s <= -pi) force.theta_s += 2 * pi;
+  if (entry.extent() == FilmExtent::dynamic && force.theta_s > pi) force.theta_s -= 2 * pi;
+  if (entry.extent() == FilmExtent::dynamic && force.theta_s <= -pi) force.theta_s += 2 * pi;
   force.theta_e = force.theta_s + (window.to - window.from);
   return force;
 }
@@ -131,7 +131,7 @@ FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearin
   const OneDimensionalFilmEntry& entry = entry_of(film);
   const ScaledState scaled(entry, state);
   const NarrowGap gap(scaled.state);
-  const FilmWindow window = film_window(entry.extent, gap);
+  const FilmWindow window = film_window(entry.extent(), gap);
   FilmForceEstimate force = with_bounds(entry, window);
   if (scaled.rate == 0) return force;
   double factor = 0;
@@ -141,7 +141,7 @@ FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearin
   } catch (const QuadratureError& error) {
     throw QuadratureError(error.code(), described("force", entry, state) + ": " + error.what());
   }
-  const double scale = force_scale(entry.limit, bearing, lubricant) * factor * scaled.rate;
+  const double scale = force_scale(entry.limit(), bearing, lubricant) * factor * scaled.rate;
   constexpr double products = 2 * std::numeric_limits<double>::epsilon();  // the roundings of scale times integral
   const auto scaled_estimate = [&](const Estimate& e) {
     return Estimate{scale * e.value, scale * (e.error + products * std::abs(e.value))};
@@ -163,17 +163,17 @@ Estimate film_pressure_by_quadrature(OneDimensionalFilm film, const Bearing<doub
   }
   const ScaledState scaled(entry, state);
   const NarrowGap gap(scaled.state);
-  const FilmWindow window = film_window(entry.extent, gap);
+  const FilmWindow window = film_window(entry.extent(), gap);
   const double phi = gap_angle(theta, window);
   if (scaled.rate == 0 || phi < window.from || phi > window.to) return {};
   const double mu = lubricant.viscosity();
   const double slenderness = bearing.radius() / bearing.clearance();
   const double axial = (half_length - z) * (half_length + z) / (bearing.clearance() * bearing.clearance());
-  const bool is_short = entry.limit == BearingLimit::short_bearing;
+  const bool is_short = entry.limit() == BearingLimit::short_bearing;
   const double scale = scaled.rate * (is_short ? 3 * mu * axial : 6 * mu * slenderness * slenderness);
   Estimate p;
   if (entry.pressure_by_ode) {
-    p = pressure_from_edge(gap, window, entry.extent == FilmExtent::dynamic, phi);
+    p = pressure_from_edge(gap, window, entry.extent() == FilmExtent::dynamic, phi);
   } else {
     const KnownPressure::Parts parts = KnownPressure(gap, entry).pressure(gap.at(phi));
     p.value = parts.wedge + parts.squeeze;

@@ -50,7 +50,7 @@ void add_short(const Film& film, const FilmNodes& nodes, Sums& sums) {
     sums.side_flow += nodes.weight[n] * at.source();
     sums.side_flow_size += nodes.weight[n] * at.source_magnitude();
   }
-  if (film.entry.extent == FilmExtent::full) return;
+  if (film.entry.extent() == FilmExtent::full) return;
   const GapPlace begin = gap.at(film.window.from);
   const GapPlace end = gap.at(film.window.to);
   sums.shear += begin.thickness * pressure(begin) - end.thickness * pressure(end);
@@ -89,7 +89,7 @@ Sums sums_of(const Film& film, std::size_t rung) {
   for (std::size_t n = 0; n < nodes.phi.size(); ++n) {
     sums.couette += nodes.weight[n] / film.gap.at(nodes.phi[n]).thickness;
   }
-  if (film.entry.limit == BearingLimit::short_bearing) {
+  if (film.entry.limit() == BearingLimit::short_bearing) {
     add_short(film, nodes, sums);
   } else {
     place_film_nodes(film.gap, FilmWindow{-std::numbers::pi, std::numbers::pi}, rung, whole);
@@ -107,7 +107,7 @@ FilmLossEstimate film_losses_by_quadrature(OneDimensionalFilm film, const Bearin
                                            double relative_spin) {
   const OneDimensionalFilmEntry& entry = entry_of(film);
   const NarrowGap gap(state);
-  const Film where{gap, film_window(entry.extent, gap), entry};
+  const Film where{gap, film_window(entry.extent(), gap), entry};
   constexpr std::size_t rung = 5;  // 256 points on either side of the minimum film
   const Sums coarse = sums_of(where, rung - 1);
   const Sums fine = sums_of(where, rung);
@@ -116,7 +116,7 @@ FilmLossEstimate film_losses_by_quadrature(OneDimensionalFilm film, const Bearin
   const double r = bearing.radius();
   const double l = bearing.length();
   const double c = bearing.clearance();
-  const bool is_short = entry.limit == BearingLimit::short_bearing;
+  const bool is_short = entry.limit() == BearingLimit::short_bearing;
   // ∫dz ∂p/∂θ over P': short μL³/(2c²), long 6μ(R/c)²L; the wall's share is −½R h ∂p/∂θ.
   const double pressure_scale = is_short ? mu * l * l * l / (2 * c * c) : 6 * mu * l * (r / c) * (r / c);
   const double shear_scale = -r * c * pressure_scale / 2;

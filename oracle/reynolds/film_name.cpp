@@ -5,6 +5,10 @@
 
 namespace lubjoint::oracle {
 
+BearingLimit OneDimensionalFilmEntry::limit() const { return law_facts(name).limit; }
+
+FilmExtent OneDimensionalFilmEntry::extent() const { return law_facts(name).extent; }
+
 const OneDimensionalFilmEntry& entry_of(OneDimensionalFilm film) {
   for (const OneDimensionalFilmEntry& entry : one_dimensional_films) {
     if (entry.film == film) return entry;

@@ -4,8 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "lubjoint/film/bearing.hpp"
-#include "lubjoint/film/extent.hpp"
+#include "lubjoint/film/law_facts.hpp"
 
 namespace lubjoint::oracle {
 
@@ -23,20 +22,21 @@ enum class OneDimensionalFilm {
 
 struct OneDimensionalFilmEntry {
   OneDimensionalFilm film;
-  std::string_view name;
-  BearingLimit limit;
-  FilmExtent extent;
-  bool pressure_by_ode;  ///< p = 0 at both ends of the long film
+  std::string_view name;  ///< of the law whose force it is
+  bool pressure_by_ode;   ///< p = 0 at both ends of the long film
+
+  BearingLimit limit() const;  ///< as the law says
+  FilmExtent extent() const;   ///< likewise
 };
 
 inline constexpr std::array<OneDimensionalFilmEntry, 7> one_dimensional_films = {{
-    {OneDimensionalFilm::short_full, "short_full", BearingLimit::short_bearing, FilmExtent::full, false},
-    {OneDimensionalFilm::short_half, "short_half", BearingLimit::short_bearing, FilmExtent::half, false},
-    {OneDimensionalFilm::short_dynamic, "short_dynamic", BearingLimit::short_bearing, FilmExtent::dynamic, false},
-    {OneDimensionalFilm::long_full, "long_full", BearingLimit::long_bearing, FilmExtent::full, false},
-    {OneDimensionalFilm::long_half, "long_half", BearingLimit::long_bearing, FilmExtent::half, true},
-    {OneDimensionalFilm::long_half_eq5, "long_half_eq5", BearingLimit::long_bearing, FilmExtent::half, false},
-    {OneDimensionalFilm::long_dynamic, "long_dynamic", BearingLimit::long_bearing, FilmExtent::dynamic, true},
+    {OneDimensionalFilm::short_full, "short_full", false},
+    {OneDimensionalFilm::short_half, "short_half", false},
+    {OneDimensionalFilm::short_dynamic, "short_dynamic", false},
+    {OneDimensionalFilm::long_full, "long_full", false},
+    {OneDimensionalFilm::long_half, "long_half", true},
+    {OneDimensionalFilm::long_half_eq5, "long_half_eq5", false},
+    {OneDimensionalFilm::long_dynamic, "long_dynamic", true},
 }};
 
 /// What is known of a film by its enumerator.

@@ -33,7 +33,7 @@ struct FilmPair {
 class KnownPressure {
  public:
   KnownPressure(const NarrowGap& gap, const OneDimensionalFilmEntry& film)
-      : gap_(gap), is_short_(film.limit == BearingLimit::short_bearing), folded_(film.extent == FilmExtent::full) {}
+      : gap_(gap), is_short_(film.limit() == BearingLimit::short_bearing), folded_(film.extent() == FilmExtent::full) {}
 
   /// The pressure at φ: parts with a and with b [1/s].
   struct Parts {

@@ -32,7 +32,7 @@ std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid) {
     for (const char* name : joint_ends) columns.push_back(joint.name + "." + name);
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<SceneDriver>(each.kind)) continue;
+    if (!std::holds_alternative<Driver<double>>(each.constraint)) continue;
     for (const char* name : driver_extremes) columns.push_back(each.name + "." + name);
   }
   columns.emplace_back("energy_residual");

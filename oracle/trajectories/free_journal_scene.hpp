@@ -14,13 +14,13 @@ namespace lubjoint::reports {
 inline bool is_lone_journal(const Scene& scene) {
   if (scene.bodies.size() != 1 || scene.joints.size() != 1 || scene.constraints.size() > 1) return false;
   const bool driven = std::all_of(scene.constraints.begin(), scene.constraints.end(), [](const SceneConstraint& c) {
-    const auto* driver = std::get_if<SceneDriver>(&c.kind);
-    return driver && !driver->against;
+    const auto* driver = std::get_if<Driver<double>>(&c.constraint);
+    return driver && driver->first == ground_body;
   });
   const SceneJoint& joint = scene.joints[0];
   const bool moments =
       std::any_of(scene.loads.begin(), scene.loads.end(), [](const SceneLoad& load) { return load.moment != 0; });
-  return driven && !joint.bearing.body && joint.journal.body && is_zero(joint.bearing.point) &&
+  return driven && joint.bearing.on_ground() && !joint.journal.on_ground() && is_zero(joint.bearing.point) &&
          is_zero(joint.journal.point) && joint.film != no_film && !moments &&
          joint.contact.has_value() == joint.transition.has_value();
 }
@@ -46,7 +46,7 @@ mechanisms::FreeJournalCase<R> free_journal_case(const Scene& scene) {
   journal.spin = R(body.spin);
   const bool driven = !scene.constraints.empty();
   if (driven) {
-    const auto& driver = std::get<SceneDriver>(scene.constraints[0].kind);
+    const auto& driver = std::get<Driver<double>>(scene.constraints[0].constraint);
     journal.spin = R(driver.speed);
     journal.spin_acceleration = R(driver.acceleration);
   }

@@ -26,7 +26,7 @@ class Journal {
     const Real r(c.journal_radius);
     const Real gap(c.clearance);
     const Real product = Real(c.viscosity) * l * r;
-    scale = product * (law.starts_with("short") ? Real(l * l) : Real(r * r)) / (gap * gap);
+    scale = product * (law_facts(law).is_short() ? Real(l * l) : Real(r * r)) / (gap * gap);
     inertia = Real(c.mass) * gap;
     for (std::size_t i = 0; i < 2; ++i) load[i] = Real(c.load[i]) + Real(c.mass) * Real(c.gravity[i]);
     spin = Real(c.spin) / 2;

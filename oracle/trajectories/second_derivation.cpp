@@ -119,7 +119,7 @@ std::vector<R> ideal_row(const Scene& scene, const mechanisms::SliderCrank<R>& m
 
 bool is_driven(const Scene& scene) {
   return std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                     [](const SceneConstraint& c) { return std::holds_alternative<SceneDriver>(c.kind); });
+                     [](const SceneConstraint& c) { return std::holds_alternative<Driver<double>>(c.constraint); });
 }
 
 Values driven_rows(const Scene& scene, const std::vector<double>& times) {

@@ -22,7 +22,7 @@ inline const SceneBody& body_of(const Scene& scene, const std::string& name) {
 /// Speed of the scene's driver [rad/s]. @throws std::invalid_argument if it has none
 inline double crank_speed_of(const Scene& scene) {
   for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* driver = std::get_if<SceneDriver>(&each.kind)) return driver->speed;
+    if (const auto* driver = std::get_if<Driver<double>>(&each.constraint)) return driver->speed;
   }
   throw std::invalid_argument(scene.file + " has no driver");
 }
@@ -33,12 +33,12 @@ R length_between_joints(const Scene& scene, const SceneBody& body) {
   R least = std::numeric_limits<R>::max();
   R most = std::numeric_limits<R>::lowest();
   const auto consider = [&](const SceneAnchor& anchor) {
-    if (!anchor.body || &scene.bodies[*anchor.body] != &body) return;
+    if (anchor.on_ground() || &scene.bodies[anchor.body] != &body) return;
     least = std::min<R>(least, R(anchor.point.x()));
     most = std::max<R>(most, R(anchor.point.x()));
   };
   for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
+    if (const auto* pin = std::get_if<Revolute<double>>(&each.constraint)) {
       consider(pin->first);
       consider(pin->second);
     }
@@ -75,7 +75,7 @@ mechanisms::SliderCrank<R> mechanism_of(const Scene& scene) {
 template <FilmLaw Law, class R>
 mechanisms::LubricatedSliderCrank<Law, R> lubricated_slider_crank(const Scene& scene) {
   const SceneJoint& joint = scene.joints.at(0);
-  const bool on_rod = joint.bearing.body && scene.bodies[*joint.bearing.body].name == "rod";
+  const bool on_rod = !joint.bearing.on_ground() && scene.bodies[joint.bearing.body].name == "rod";
   return {mechanism_of<R>(scene), R(crank_speed_of(scene)),
           Bearing<R>(R(joint.length), R(joint.journal_radius), R(joint.clearance)), Lubricant<R>(R(joint.viscosity)),
           on_rod ? mechanisms::BearingOn::rod : mechanisms::BearingOn::slider};

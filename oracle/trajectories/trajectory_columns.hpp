@@ -44,7 +44,7 @@ inline TrajectoryColumns multibody_columns(const Scene& scene) {
     columns.add(angles);
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (std::holds_alternative<SceneDriver>(each.kind)) columns.add({each.name + ".moment"});
+    if (std::holds_alternative<Driver<double>>(each.constraint)) columns.add({each.name + ".moment"});
   }
   return columns;
 }

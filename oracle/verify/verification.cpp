@@ -13,7 +13,7 @@ namespace lubjoint::verify {
 namespace {
 
 bool has_answers(Quantities quantities, Law law) {
-  return quantities != Quantities::pressure || law != Law::pinkus_sternlicht;
+  return quantities != Quantities::pressure || law != "pinkus_sternlicht"_law;
 }
 
 /// Error over |F| of the worst number; infinite for NaN, none where nothing moves or the precision says nothing.
@@ -231,8 +231,8 @@ Verification best_law(Quantities quantities, const std::vector<State>& states, c
                       const VerifySettings& settings) {
   std::vector<Verification> all;
   for (std::size_t i = 0; i < law_count; ++i) {
-    if (has_answers(quantities, static_cast<Law>(i))) {
-      all.push_back(made(quantities, static_cast<Law>(i), states, answers, settings, SearchDepth::single));
+    if (has_answers(quantities, Law{i})) {
+      all.push_back(made(quantities, Law{i}, states, answers, settings, SearchDepth::single));
     }
   }
   // A hundredth more or less explained is no difference: laws that are alike where the program moves are ties.

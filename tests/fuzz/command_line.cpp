@@ -18,6 +18,32 @@ std::vector<std::string> arguments_in(std::string_view bytes) {
   return words;
 }
 
+/// The commands of all programs in one.
+void add_all(CLI::App& app, cli::Action& action) {
+  cli::prepare(app);
+  cli::add_reproduce(app, action);
+  cli::add_simulate(app, action);
+  cli::add_force(app, action);
+  cli::add_losses(app, action);
+  cli::add_equilibrium(app, action);
+  cli::add_coefficients(app, action);
+  cli::add_stability(app, action);
+  cli::add_oracle(app, action);
+  cli::add_model_error(app, action);
+  cli::add_accuracy(app, action);
+  cli::add_bench(app, action);
+  cli::add_cost(app, action);
+  cli::add_sweep(app, action);
+  cli::add_stress(app, action);
+  cli::add_verify(app, action);
+#if LUBJOINT_HAS_CERTIFIED
+  cli::add_golden(app, action);
+#endif
+#if LUBJOINT_HAS_PROOFS
+  cli::add_prove(app, action);
+#endif
+}
+
 }  // namespace
 
 void command_line(std::string_view bytes) {
@@ -29,7 +55,7 @@ void command_line(std::string_view bytes) {
   // Made once, which takes five times as long as parsing: CLI11 clears what an earlier parse has left.
   static cli::Action action;
   static CLI::App app("any", "lubjoint");
-  [[maybe_unused]] static const bool made = (cli::add_commands(app, action), true);
+  [[maybe_unused]] static const bool made = (add_all(app, action), true);
   action = nullptr;
   try {
     app.parse(argc, argv.data());

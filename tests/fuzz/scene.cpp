@@ -26,7 +26,7 @@ void require_name(const std::string& name) {
 }
 
 void require_anchor(const SceneAnchor& anchor, const Scene& scene) {
-  require(!anchor.body || *anchor.body < scene.bodies.size(), "an anchor's body is there");
+  require(anchor.on_ground() || anchor.body < scene.bodies.size(), "an anchor's body is there");
   require_finite(anchor.point, "an anchor's point");
 }
 
@@ -64,24 +64,25 @@ void require_joint(const SceneJoint& joint, const Scene& scene) {
 struct RequireConstraint {
   const Scene& scene;
 
-  void operator()(const SceneGround& ground) const {
+  void operator()(const GroundConstraint<double>& ground) const {
     require(ground.body < scene.bodies.size(), "a grounded body is there");
     require_finite(ground.position, "a ground's position");
     require_finite(ground.angle, "a ground's angle");
   }
-  void operator()(const SceneRevolute& pin) const {
+  void operator()(const Revolute<double>& pin) const {
     require_anchor(pin.first, scene);
     require_anchor(pin.second, scene);
   }
-  void operator()(const SceneTranslational& guide) const {
+  void operator()(const Translational<double>& guide) const {
     require_anchor(guide.first, scene);
     require_anchor(guide.second, scene);
     require(std::abs(guide.axis.norm() - 1) < 1e-15 * 4, "an axis has length 1");  // rounding of a norm and a quotient
     require_finite(guide.angle, "a guide's angle");
   }
-  void operator()(const SceneDriver& driver) const {
-    require(driver.body < scene.bodies.size(), "a driven body is there");
-    require(!driver.against || *driver.against < scene.bodies.size(), "the body that a driver leans on is there");
+  void operator()(const Driver<double>& driver) const {
+    require(driver.second < scene.bodies.size(), "a driven body is there");
+    require(driver.first == ground_body || driver.first < scene.bodies.size(),
+            "the body that a driver leans on is there");
     require_finite(driver.angle, "a driver's angle");
     require_finite(driver.speed, "a driver's speed");
     require_finite(driver.acceleration, "a driver's acceleration");
@@ -109,7 +110,7 @@ void require_sound(const Scene& scene) {
   for (const SceneJoint& joint : scene.joints) require_joint(joint, scene);
   for (const SceneConstraint& constraint : scene.constraints) {
     require_name(constraint.name);
-    std::visit(RequireConstraint{scene}, constraint.kind);
+    std::visit(RequireConstraint{scene}, constraint.constraint);
   }
   require_finite(scene.stabilisation.alpha, "alpha");
   require_finite(scene.stabilisation.beta, "beta");

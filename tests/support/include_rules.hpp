@@ -77,7 +77,7 @@ inline std::string folder_of(const std::string& file) {
 
 /// Film state and geometry. Any other header of film/ counts as a force law until it is listed here.
 inline bool is_film_geometry(const std::string& file) {
-  static const std::set<std::string> geometry = {"bearing", "film_state", "extent", "pressure"};
+  static const std::set<std::string> geometry = {"bearing", "film_state", "extent", "pressure", "law_facts"};
   const std::string prefix = "lubjoint/film/";
   if (!file.starts_with(prefix)) return false;
   return geometry.contains(std::filesystem::path(file).stem().string());

@@ -48,7 +48,7 @@ inline Scene pendulum_chain(std::size_t n, double angle) {
     scene.bodies.push_back(body("rod" + std::to_string(i), 0.1, 1e-4, middle * along, angle));
     SceneAnchor above;
     if (i > 0) above = {i - 1, {0, -length / 2}};
-    scene.constraints.push_back({"pin" + std::to_string(i), SceneRevolute{above, {i, {0, length / 2}}}});
+    scene.constraints.push_back({"pin" + std::to_string(i), Revolute<double>{above, {i, {0, length / 2}}}});
   }
   scene.energy_ledger = true;
   return scene;

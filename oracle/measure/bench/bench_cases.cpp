@@ -199,7 +199,7 @@ class SimulatedCase final : public BenchCase {
     scene_.run.output_interval = output_interval;
   }
   std::string formulation() const override { return "absolute"; }
-  std::vector<std::string> methods() const override { return {method_names.begin(), method_names.end()}; }
+  std::vector<std::string> methods() const override { return {method_names().begin(), method_names().end()}; }
   MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) override {
     Scene scene = scene_;
     scene.integrator = method;

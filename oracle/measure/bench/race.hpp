@@ -46,7 +46,7 @@ class RaceCase final : public BenchCase {
   std::string formulation() const override { return formulation_; }
 
   std::vector<std::string> methods() const override {
-    std::vector<std::string> names(method_names.begin(), method_names.end());
+    std::vector<std::string> names(method_names().begin(), method_names().end());
     for (const std::string_view name : sundials_methods()) names.emplace_back(name);
     return names;
   }

@@ -87,7 +87,7 @@ class Campaign {
 }  // namespace
 
 std::vector<std::string> raced_methods() {
-  std::vector<std::string> names(method_names.begin(), method_names.end());
+  std::vector<std::string> names(method_names().begin(), method_names().end());
   for (const std::string_view name : sundials_methods()) names.emplace_back(name);
   for (const std::string_view name : simbody_methods()) names.emplace_back(name);
   return names;

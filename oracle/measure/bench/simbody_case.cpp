@@ -9,7 +9,7 @@ namespace {
 
 mechanisms::SimbodyProblem problem_of(const Scene& scene) {
   const SceneJoint& joint = scene.joints.at(0);
-  const bool on_rod = joint.bearing.body && scene.bodies[*joint.bearing.body].name == "rod";
+  const bool on_rod = !joint.bearing.on_ground() && scene.bodies[joint.bearing.body].name == "rod";
   return mechanisms::simbody_slider_crank(mechanism_of<double>(scene), crank_speed_of(scene),
                                           Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
                                           Lubricant<double>(joint.viscosity),

@@ -120,7 +120,7 @@ JournalNumbers numbers_of(const Scene& scene) {
     n.load[1] += load.force.y();
   }
   for (const SceneConstraint& each : scene.constraints) {
-    const auto* motor = std::get_if<SceneDriver>(&each.kind);
+    const auto* motor = std::get_if<Driver<double>>(&each.constraint);
     if (!motor) throw std::invalid_argument(scene.name + ": a journal's reference has no constraint but a motor");
     n.spin = motor->speed;
     n.spin_rate = motor->acceleration;

@@ -63,7 +63,7 @@ class JournalForces {
     radius_ = R(n.journal_radius);
     const R film_clearance = n.contact ? R(c + R(n.contact->widening)) : c;
     film_share_ = c / film_clearance;
-    const R arm = law_.starts_with("short") ? R(n.length) : radius_;
+    const R arm = law_facts(law_).is_short() ? R(n.length) : radius_;
     scale = R(n.viscosity) * R(n.length) * radius_ * arm * arm / (film_clearance * film_clearance);
     load = {R(n.load[0]) + R(n.mass) * R(n.gravity[0]), R(n.load[1]) + R(n.mass) * R(n.gravity[1])};
     has_contact = n.contact.has_value();

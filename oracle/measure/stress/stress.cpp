@@ -68,14 +68,10 @@ StressRun run_journal(const Scene& scene) {
 }
 
 /// Velocity of a joint's point in a state q, q̇: that of its body's mass centre and ω × s.
-Vector2<double> point_velocity(const Scene& scene, const SceneAnchor& anchor, const std::vector<double>& state) {
-  if (!anchor.body) return {0, 0};
-  const std::size_t q = 3 * *anchor.body;
-  const std::size_t rates = 3 * scene.bodies.size() + q;
-  const double c = std::cos(state[q + 2]);
-  const double s = std::sin(state[q + 2]);
-  const Vector2<double> arm(c * anchor.point.x() - s * anchor.point.y(), s * anchor.point.x() + c * anchor.point.y());
-  return {state[rates] - state[rates + 2] * arm.y(), state[rates + 1] + state[rates + 2] * arm.x()};
+Vector2<double> point_velocity(const SceneAnchor& anchor, const std::vector<double>& state) {
+  const PlanarMotion<double> body = motion_in(state, anchor.body);
+  const Vector2<double> arm = inertial_vector(body, anchor.point);
+  return {body.velocity.x() - body.spin * arm.y(), body.velocity.y() + body.spin * arm.x()};
 }
 
 StressRun run_multibody(const Scene& scene) {
@@ -90,7 +86,7 @@ StressRun run_multibody(const Scene& scene) {
   for (const MultibodySample& sample : trajectory.samples) {
     const JointSample& at = sample.joints.front();
     const Vector2<double> velocity =
-        point_velocity(scene, joint.journal, sample.state) - point_velocity(scene, joint.bearing, sample.state);
+        point_velocity(joint.journal, sample.state) - point_velocity(joint.bearing, sample.state);
     look_at({sample.t, at.eccentricity / joint.clearance, velocity / joint.clearance, at.force},
             joint.contact.has_value(), run);
   }
@@ -239,7 +235,7 @@ std::vector<StressCell> read_stress_cells(const CsvTable& table) {
 StressSettings stress_settings(bool quick) {
   StressSettings settings;
   settings.threads = available_cores();
-  settings.integrators.assign(integrator_names.begin(), integrator_names.end());
+  settings.integrators.assign(integrator_names().begin(), integrator_names().end());
   if (quick) {
     settings.laws = {"short_half", "pinkus_sternlicht"};
     settings.most_steps = 10'000;

@@ -28,7 +28,7 @@ void scale_speed(Scene& scene, double factor) {
     body.spin *= factor;
   }
   for (SceneConstraint& each : scene.constraints) {
-    if (auto* driver = std::get_if<SceneDriver>(&each.kind)) driver->speed *= factor;
+    if (auto* driver = std::get_if<Driver<double>>(&each.constraint)) driver->speed *= factor;
   }
   set_duration(scene, scene.run.duration / factor);
 }
@@ -137,7 +137,7 @@ void add_journal_cases(CaseList& list) {
   });
   list.add("spin-reversal", "a motor turns the journal one way, then the other", [](Scene& s) {
     const double spin = s.bodies[0].spin;
-    s.constraints.push_back({"motor", SceneDriver{0, std::nullopt, 0, spin, -2 * spin / s.run.duration}});
+    s.constraints.push_back({"motor", Driver<double>{ground_body, 0, 0, spin, -2 * spin / s.run.duration}});
     s.run.max_steps /= 4;
   });
   list.add("clearance-1um", "c = 1 um", clearance(1e-6));

@@ -20,9 +20,27 @@ constexpr const char* motions_header = "motion,t,ex_over_c,ey_over_c,wx,wy,fx,fy
 
 std::string pair_of(const Vector2<double>& v) { return number(v.x()) + " " + number(v.y()); }
 
-std::string anchor_of(const SceneAnchor& anchor) {
-  return (anchor.body ? std::to_string(*anchor.body) : std::string("ground")) + " " + pair_of(anchor.point);
-}
+std::string body_number(std::size_t body) { return body == ground_body ? "ground" : std::to_string(body); }
+
+std::string anchor_of(const SceneAnchor& anchor) { return body_number(anchor.body) + " " + pair_of(anchor.point); }
+
+/// What a constraint is, for the key; one that is not known here does not compile.
+struct Words {
+  std::string operator()(const GroundConstraint<double>& g) const {
+    return fmt::format("ground {} {} {}", g.body, pair_of(g.position), number(g.angle));
+  }
+  std::string operator()(const Revolute<double>& r) const {
+    return fmt::format("revolute [{}] [{}]", anchor_of(r.first), anchor_of(r.second));
+  }
+  std::string operator()(const Translational<double>& s) const {
+    return fmt::format("guide [{}] {} [{}] {}", anchor_of(s.first), pair_of(s.axis), anchor_of(s.second),
+                       number(s.angle));
+  }
+  std::string operator()(const Driver<double>& d) const {
+    return fmt::format("driver {} {} {} {} {}", d.second, body_number(d.first), number(d.angle), number(d.speed),
+                       number(d.acceleration));
+  }
+};
 
 /// To a share of its unit: digits below the methods' disagreement are noise.
 std::string rounded(double value, double unit) {
@@ -77,17 +95,7 @@ std::string motion_key(const Scene& scene) {
   }
   for (const SceneConstraint& each : scene.constraints) {
     text += "\nconstraint ";
-    if (const auto* g = std::get_if<SceneGround>(&each.kind)) {
-      text += fmt::format("ground {} {} {}", g->body, pair_of(g->position), number(g->angle));
-    } else if (const auto* r = std::get_if<SceneRevolute>(&each.kind)) {
-      text += fmt::format("revolute [{}] [{}]", anchor_of(r->first), anchor_of(r->second));
-    } else if (const auto* s = std::get_if<SceneTranslational>(&each.kind)) {
-      text += fmt::format("guide [{}] {} [{}] {}", anchor_of(s->first), pair_of(s->axis), anchor_of(s->second),
-                          number(s->angle));
-    } else if (const auto* d = std::get_if<SceneDriver>(&each.kind)) {
-      text += fmt::format("driver {} {} {} {} {}", d->body, d->against ? std::to_string(*d->against) : "ground",
-                          number(d->angle), number(d->speed), number(d->acceleration));
-    }
+    text += std::visit(Words{}, each.constraint);
   }
   text += fmt::format("\nrun {} {}", number(scene.run.duration), number(scene.run.output_interval));
   return sha256(text).substr(0, 16);

@@ -8,9 +8,9 @@ namespace lubjoint::verify {
 
 namespace {
 
-bool pinkus_sternlicht(Quantities, Law law) { return law == Law::pinkus_sternlicht; }
+bool pinkus_sternlicht(Quantities, Law law) { return law == "pinkus_sternlicht"_law; }
 bool full(Quantities, Law law) { return is_full(law); }
-bool polynomial(Quantities, Law law) { return !is_dynamic(law) && law != Law::pinkus_sternlicht; }
+bool polynomial(Quantities, Law law) { return !is_dynamic(law) && law != "pinkus_sternlicht"_law; }
 bool short_polynomial(Quantities q, Law law) { return is_short(law) && polynomial(q, law); }
 bool long_polynomial(Quantities q, Law law) { return !is_short(law) && polynomial(q, law); }
 bool long_closed(Quantities, Law law) { return !is_short(law) && !is_dynamic(law); }
@@ -37,9 +37,28 @@ bool is_not(Quantities, Law law) {
   return law != other;
 }
 
-template <Law other>
-Mistake another_law(std::string_view name, std::string_view description) {
-  return {name, description, "Another law: see its formula", is_not<other>, {{Step::rates, use_law<other>}}};
+/// "law_NAME" and its description: kept for as long as the gallery is.
+struct OtherLawWords {
+  std::string name;
+  std::string description;
+};
+
+std::vector<Mistake> other_laws() {
+  static const std::vector<OtherLawWords> words = [] {
+    std::vector<OtherLawWords> all;
+    for (const std::string_view law : film_law_names) {
+      all.push_back({"law_" + std::string(law), "The law is " + std::string(law)});
+    }
+    return all;
+  }();
+  return []<std::size_t... place>(std::index_sequence<place...>) {
+    return std::vector<Mistake>{Mistake{words[place].name,
+                                        words[place].description,
+                                        "Another law: see its formula",
+                                        is_not<Law{place}>,
+                                        {{Step::rates, use_law<Law{place}>}}}...};
+  }
+  (std::make_index_sequence<law_count>());
 }
 
 /// H = 1 − ε cosθ with the rest unchanged is the law at −ε, and F(−ε, a, b) = −F(ε, −a, −b).
@@ -53,7 +72,7 @@ void negate_ratio(Solution& s) {
 
 std::vector<Mistake> film_mistakes() {
   using S = Solution;
-  return {
+  std::vector<Mistake> mistakes = {
       {"separating_bracket_sign",
        "For ε̇ < 0 the bracket of Pinkus and Sternlicht's radial force has −4kε² as printed, not +4kε²",
        "Wrong in the radial force for b < 0, where it jumps at b = 0",
@@ -105,8 +124,8 @@ std::vector<Mistake> film_mistakes() {
       {"pressure_at_half_turn",
        "The full film's pressure is cut at θ = π, where it is not zero (p(π) ≠ 0)",
        "Wrong wherever there is squeeze, even at the centre: a tangential force answers a radial velocity",
-       [](Quantities, Law law) { return law == Law::long_half; },
-       {{Step::rates, use_law<Law::long_half_eq5>}}},
+       [](Quantities, Law law) { return law == "long_half"_law; },
+       {{Step::rates, use_law<"long_half_eq5"_law>}}},
       {"half_film_not_halved",
        "The half film's force is not halved, or both halves are counted",
        "Twice the force",
@@ -120,7 +139,7 @@ std::vector<Mistake> film_mistakes() {
       {"wedge_on_radial_left_out",
        "The wedge's radial force, which only a cavitated film has, is left out",
        "Pure wedge gives no radial force; the attitude angle is 90° at any load",
-       [](Quantities, Law law) { return is_half(law) || law == Law::pinkus_sternlicht; },
+       [](Quantities, Law law) { return is_half(law) || law == "pinkus_sternlicht"_law; },
        {{Step::terms, [](S& s) { s.radial_wedge = 0; }}}},
       {"squeeze_on_tangential_left_out",
        "The squeeze's tangential force of the half film is left out",
@@ -155,11 +174,11 @@ std::vector<Mistake> film_mistakes() {
       {"squeeze_on_tangential_without_ratio",
        "The squeeze's tangential force of the half film lacks its factor ε",
        "At the centre a force across the velocity; right as ε → 1",
-       [](Quantities, Law law) { return law == Law::short_half || law == Law::long_half; },
+       [](Quantities, Law law) { return law == "short_half"_law || law == "long_half"_law; },
        {{Step::terms,
          [](S& s) {
            const Real side = s.mirrors_half && s.a < 0 ? -1 : 1;
-           s.tangential_squeeze = side * s.b / s.q() * (s.law == Law::short_half ? 2 / s.q() : 24 / s.d());
+           s.tangential_squeeze = side * s.b / s.q() * (s.law == "short_half"_law ? 2 / s.q() : 24 / s.d());
          }}}},
       {"radial_squeeze_doubled",
        "The squeeze's radial force of the half film is not halved",
@@ -179,7 +198,7 @@ std::vector<Mistake> film_mistakes() {
       {"two_plus_ratio_squared_left_out_of_radial",
        "2 + ε² is left out of the denominator of the long film's radial wedge force",
        "Too large by 2 + ε² there; the rest is right",
-       [](Quantities, Law law) { return law == Law::long_half || law == Law::long_half_eq5; },
+       [](Quantities, Law law) { return law == "long_half"_law || law == "long_half_eq5"_law; },
        {{Step::terms, [](S& s) { s.radial_wedge *= s.d(); }}}},
       {"pi_left_out_of_squeeze",
        "π is missing in the squeeze term of the radial force",
@@ -194,7 +213,7 @@ std::vector<Mistake> film_mistakes() {
       {"pi_left_out_of_bracket",
        "8/(2 + ε²) for 8/(π(2 + ε²)) in the long half film's squeeze term",
        "The radial force of the squeeze is wrong, of the wrong sign for thick films; the rest is right",
-       [](Quantities, Law law) { return law == Law::long_half; },
+       [](Quantities, Law law) { return law == "long_half"_law; },
        {{Step::terms,
          [](S& s) {
            const Real q = s.q();
@@ -208,7 +227,7 @@ std::vector<Mistake> film_mistakes() {
       {"wedge_on_radial_sign",
        "The wedge's radial force points outwards",
        "The film draws the journal to the wall; the rest is right",
-       [](Quantities, Law law) { return is_half(law) || law == Law::pinkus_sternlicht; },
+       [](Quantities, Law law) { return is_half(law) || law == "pinkus_sternlicht"_law; },
        {{Step::terms, [](S& s) { s.radial_wedge = -s.radial_wedge; }}}},
       {"two_plus_ratio_squared_for_squeeze",
        "2 + ε² instead of 1 + 2ε² in the short film's squeeze term",
@@ -243,15 +262,9 @@ std::vector<Mistake> film_mistakes() {
        "The terms that are odd in ε have the wrong sign; a full film shows nothing",
        [](Quantities, Law law) { return !is_full(law); },
        {{Step::rates, negate_ratio}}},
-      another_law<Law::short_full>("law_short_full", "The law is short_full"),
-      another_law<Law::short_half>("law_short_half", "The law is short_half"),
-      another_law<Law::short_dynamic>("law_short_dynamic", "The law is short_dynamic"),
-      another_law<Law::long_full>("law_long_full", "The law is long_full"),
-      another_law<Law::long_half>("law_long_half", "The law is long_half"),
-      another_law<Law::long_half_eq5>("law_long_half_eq5", "The law is long_half_eq5"),
-      another_law<Law::long_dynamic>("law_long_dynamic", "The law is long_dynamic"),
-      another_law<Law::pinkus_sternlicht>("law_pinkus_sternlicht", "The law is pinkus_sternlicht"),
   };
+  for (Mistake& each : other_laws()) mistakes.push_back(std::move(each));
+  return mistakes;
 }
 
 }  // namespace lubjoint::verify

@@ -25,7 +25,7 @@ bool given_in_polar(const State& s) { return s.ex == 0 && s.ey == 0 && s.vx == 0
 
 /// Kinematics of a state; which quantities it was made for is seen from what it says.
 Solution kinematics(const State& s) {
-  return solve(given_in_polar(s) ? Quantities::polar : Quantities::cartesian, Law::short_full, s);
+  return solve(given_in_polar(s) ? Quantities::polar : Quantities::cartesian, "short_full"_law, s);
 }
 
 double ratio_of(const State& s) {

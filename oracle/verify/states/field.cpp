@@ -78,7 +78,7 @@ void find_extent(Solution& s) {
 }
 
 void find_pressure(Solution& s) {
-  if (!(s.q() > 0) || s.law == Law::pinkus_sternlicht) {
+  if (!(s.q() > 0) || s.law == "pinkus_sternlicht"_law) {
     s.pressure = std::numeric_limits<Real>::quiet_NaN();
     return;
   }
@@ -98,7 +98,7 @@ void find_pressure(Solution& s) {
     const LongField here = long_field(s, theta);
     Real field = here.wedge + here.squeeze;
     Real terms = std::abs(here.wedge) + std::abs(here.squeeze);
-    if (s.law == Law::long_half || s.law == Law::long_dynamic) {  // zero at both ends: a flow around is added
+    if (s.law == "long_half"_law || s.law == "long_dynamic"_law) {  // zero at both ends: a flow around is added
       const LongField from = long_field(s, s.theta_s), to = long_field(s, s.theta_e);
       const Real start = from.wedge + from.squeeze, end = to.wedge + to.squeeze;
       const Real flow = (flow_integral(s, theta) - flow_integral(s, s.theta_s)) /

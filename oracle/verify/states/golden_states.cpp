@@ -44,8 +44,8 @@ bool speaks_for(std::string_view subject, Quantities quantities, Law law, const 
   if (quantities != Quantities::pressure) return subject == name_of(law);
   std::string_view field = name_of(law);  // long_half and long_dynamic have their own
   if (is_short(law)) field = "short";
-  if (law == Law::long_full || law == Law::long_half_eq5) field = "long_eq5";
-  if (law == Law::pinkus_sternlicht || subject != field) return false;
+  if (law == "long_full"_law || law == "long_half_eq5"_law) field = "long_eq5";
+  if (law == "pinkus_sternlicht"_law || subject != field) return false;
   if (is_full(law)) return true;
   const Solution s = solve(Quantities::extent, law, state);
   const Real turn = 2 * pi<Real>();
@@ -105,7 +105,7 @@ class GoldenReader {
       }
       if (place->second == std::string::npos) continue;
       for (std::size_t law = 0; law < law_count; ++law) {
-        if (!speaks_for(table_.field(row, subject), quantities_, static_cast<Law>(law), list[place->second])) continue;
+        if (!speaks_for(table_.field(row, subject), quantities_, Law{law}, list[place->second])) continue;
         answers[place->second]->row[law] = {answer(row), row + 2};
       }
     }

@@ -58,7 +58,7 @@ Reference reference(Quantities quantities, Law law, const State& state) {
                    .size = {},
                    .regime = regime_of(quantities, state)};
   if (state.golden) {
-    const auto& row = state.golden->row[static_cast<std::size_t>(law)];
+    const auto& row = state.golden->row[law.place];
     if (row) {
       result.golden = &*row;
       result.expected = row->answer;
@@ -130,7 +130,7 @@ bool errs_alike(Quantities quantities, const std::vector<Reference>& references,
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Reference& r = references[i];
     if (r.gap < 0.02 || r.ratio < 0.05 || r.size[0] == 0) continue;
-    const Solution s = solve(quantities, Law::short_full, states[i]);
+    const Solution s = solve(quantities, "short_full"_law, states[i]);
     if (!(s.a > 0) || s.b != 0 || s.attitude_part != 0) continue;
     const double x = answers.values[i][0], y = answers.values[i][1];
     const auto fx = static_cast<double>(r.expected[0]), fy = static_cast<double>(r.expected[1]);

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lubjoint/film/law_list.hpp"
-#include "oracle/verify/states/dynamic_film.hpp"
+#include "oracle/verify/states/film_terms.hpp"
 
 namespace lubjoint::verify {
 
@@ -60,65 +59,6 @@ void find_kinematics(Solution& s) {
   s.attitude_part = centred ? Real(0) : -2 * dot(s.v, s.t) / s.film_clearance;
 }
 
-void find_terms(Solution& s) {
-  const Real q = s.q();
-  if (!(q > 0) || !std::isfinite(s.a) || !std::isfinite(s.b)) {
-    s.radial_wedge = s.tangential_wedge = std::numeric_limits<Real>::quiet_NaN();
-    return;
-  }
-  if (is_dynamic(s.law)) {  // not a sum of a wedge and a squeeze: the film's ends depend on both
-    const DynamicFilm film{s.ratio, s.ratio_gap, s.a, s.b};
-    const DynamicForce f =
-        s.law == Law::short_dynamic ? short_dynamic_by_quadrature(film) : long_dynamic_by_quadrature(film);
-    s.radial_wedge = f.radial;
-    s.tangential_wedge = f.tangential;
-    return;
-  }
-  const Real e = s.ratio, a = s.a, b = s.b, d = s.d(), pi = turn_half;
-  const Real q12 = std::sqrt(q), q32 = q * q12, q52 = q * q32;
-  const Real side = s.mirrors_half && a < 0 ? -1 : 1;
-  switch (s.law) {
-    case Law::short_full:
-      s.radial_squeeze = -pi * b * (1 + 2 * e * e) / q52;
-      s.tangential_wedge = pi * a / (2 * q32);
-      break;
-    case Law::short_half:
-      s.radial_wedge = -side * e * a / (q * q);
-      s.radial_squeeze = -pi * b * (1 + 2 * e * e) / (2 * q52);
-      s.tangential_wedge = pi * a / (4 * q32);
-      s.tangential_squeeze = side * 2 * e * b / (q * q);
-      break;
-    case Law::long_full:
-      s.radial_squeeze = -12 * pi * b / q32;
-      s.tangential_wedge = 12 * pi * a / (d * q12);
-      break;
-    case Law::long_half:
-    case Law::long_half_eq5:
-      s.radial_wedge = -side * 12 * e * a / (d * q);
-      s.tangential_wedge = 6 * pi * a / (d * q12);
-      if (s.law == Law::long_half) {
-        s.radial_squeeze = -6 * b / q32 * (pi - 16 / (pi * d));
-        s.tangential_squeeze = side * 24 * e * b / (d * q);
-      } else {
-        s.radial_squeeze = -6 * pi * b / q32;
-        s.tangential_squeeze = side * 24 * b / ((1 + e) * q);
-      }
-      break;
-    case Law::pinkus_sternlicht: {
-      const Real k = std::sqrt(q * (a * a / 4 + b * b));
-      const Real big_b = e * std::abs(b);
-      const Real phi = k + big_b == 0 ? 1 : (k + (b >= 0 ? 3 * big_b : 0)) / (k + 1.5L * big_b);
-      s.radial_wedge = -24 * e * k / (d * q32);
-      s.radial_squeeze = -6 * pi * b * phi / q32;
-      s.tangential_wedge = 6 * pi * a * phi / (d * q12);
-      break;
-    }
-    case Law::short_dynamic:
-    case Law::long_dynamic:
-      break;
-  }
-}
-
 /// Normal force of the contact, before it is kept from pulling.
 void find_contact(Solution& s) {
   if (s.quantities != Quantities::transition) return;
@@ -146,18 +86,6 @@ void find_moments(Solution& s) {
 }
 
 }  // namespace
-
-Law law_of(std::string_view name) {
-  require_film_law(name);
-  return static_cast<Law>(std::find(film_law_names.begin(), film_law_names.end(), name) - film_law_names.begin());
-}
-
-std::string_view name_of(Law law) { return film_law_names[static_cast<std::size_t>(law)]; }
-
-bool is_short(Law law) { return law <= Law::short_dynamic; }
-bool is_full(Law law) { return law == Law::short_full || law == Law::long_full; }
-bool is_half(Law law) { return law == Law::short_half || law == Law::long_half || law == Law::long_half_eq5; }
-bool is_dynamic(Law law) { return law == Law::short_dynamic || law == Law::long_dynamic; }
 
 void Solution::scale_lengths(Real factor) {
   for (Real* x : {&length, &z, &radius, &clearance, &film_widening, &e0, &e1, &impact_speed}) *x *= factor;
@@ -211,16 +139,7 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
 Real size_of_terms(const Solution& s) {
   if (s.quantities == Quantities::extent) return turn_half;
   if (s.quantities == Quantities::pressure) return s.pressure_terms;
-  Real film = std::abs(s.radial_wedge) + std::abs(s.radial_squeeze) + std::abs(s.tangential_wedge) +
-              std::abs(s.tangential_squeeze);
-  if (is_dynamic(s.law)) {
-    // 3π/q^{5/2} bounds the short film's integrals; the long film's are larger than its force by up to 1/q^{3/2}.
-    const Real q = s.q();
-    const Real rates = std::abs(s.a) + 2 * std::abs(s.b);
-    film += is_short(s.law) ? 3 * turn_half * rates / (q * q * std::sqrt(q)) : 12 * turn_half * rates / (q * q * q);
-  }
-  if (s.law == Law::long_half) film += std::abs(96 * s.b / (turn_half * s.d() * s.q() * std::sqrt(s.q())));
-  film *= s.scale;
+  const Real film = s.scale * size_of_film_terms(s);
   if (s.quantities != Quantities::transition) return film;
   return (s.of_dry == 1 ? 0 : (1 - s.of_dry) * film) + s.of_dry * s.normal;
 }

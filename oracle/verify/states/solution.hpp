@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "lubjoint/film/law_list.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "oracle/verify/states/quantity.hpp"
 
@@ -14,27 +15,26 @@ namespace lubjoint::verify {
 using Real = long double;
 using Plane = Vector2<Real>;
 
-/// The film laws, in the order of film_law_names.
-enum class Law {
-  short_full,
-  short_half,
-  short_dynamic,
-  long_full,
-  long_half,
-  long_half_eq5,
-  long_dynamic,
-  pinkus_sternlicht
+/// A film law, by its place among film_law_names.
+struct Law {
+  std::size_t place = 0;
+
+  friend constexpr bool operator==(Law, Law) = default;
 };
-inline constexpr std::size_t law_count = 8;
+inline constexpr std::size_t law_count = film_law_names.size();
 
 /// @throws std::invalid_argument that lists the laws there are
-Law law_of(std::string_view name);
-std::string_view name_of(Law law);
+constexpr Law law_of(std::string_view name) { return {film_law_index(name)}; }
+/// The same, of a name that is checked when it is compiled.
+consteval Law operator""_law(const char* name, std::size_t size) { return law_of({name, size}); }
 
-bool is_short(Law law);
-bool is_full(Law law);
-bool is_half(Law law);
-bool is_dynamic(Law law);
+constexpr const LawFacts& facts_of(Law law) { return facts_of_film_laws[law.place]; }
+constexpr std::string_view name_of(Law law) { return facts_of(law).name; }
+constexpr bool is_short(Law law) { return facts_of(law).is_short(); }
+constexpr bool is_full(Law law) { return facts_of(law).extent == FilmExtent::full; }
+constexpr bool is_half(Law law) { return facts_of(law).extent == FilmExtent::half; }
+/// Between θs and θe, its pressure integrated: not Pinkus and Sternlicht's, whose force is no integral.
+constexpr bool is_dynamic(Law law) { return facts_of(law).extent == FilmExtent::dynamic && facts_of(law).has_pressure; }
 
 /// Steps of the work, in their order.
 enum class Step {
@@ -53,7 +53,7 @@ enum class Step {
 /// Numbers on the way from a state to its answer.
 struct Solution {
   Quantities quantities = Quantities::cartesian;
-  Law law = Law::short_full;
+  Law law = "short_full"_law;
 
   Real viscosity = 0, length = 0, radius = 0, clearance = 0;
   Real omega_bearing = 0, omega_journal = 0;

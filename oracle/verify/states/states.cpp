@@ -134,7 +134,7 @@ void add_pure_motions(std::vector<State>& states, double gap, std::size_t& turn,
 
 /// True where a is too near to zero, against the parts that it is the sum of, for its sign to survive rounding.
 bool sign_is_doubtful(Quantities quantities, const State& state) {
-  const Solution s = solve(quantities, Law::short_full, state);
+  const Solution s = solve(quantities, "short_full"_law, state);
   return s.a != 0 && std::abs(s.a) < 1e-3L * (std::abs(s.spin_part) + std::abs(s.attitude_part));
 }
 
@@ -172,7 +172,7 @@ bool has_thin_films(Quantities quantities) {
 }  // namespace
 
 Regime regime_of(Quantities quantities, const State& state) {
-  const Solution s = solve(quantities, Law::short_full, state);
+  const Solution s = solve(quantities, "short_full"_law, state);
   const double distance = std::hypot(state.ex, state.ey);
   if (quantities == Quantities::transition && distance > state.clearance) return Regime::contact;
   const Real ratio = is_polar(quantities) ? s.ratio : distance / state.clearance;

@@ -67,7 +67,9 @@ void add_joint_changes(std::vector<SceneChange>& list, const Scene& whole, std::
   }
 }
 
-bool is_driver(const SceneConstraint& constraint) { return std::holds_alternative<SceneDriver>(constraint.kind); }
+bool is_driver(const SceneConstraint& constraint) {
+  return std::holds_alternative<Driver<double>>(constraint.constraint);
+}
 
 }  // namespace
 
@@ -78,7 +80,7 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
   for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
     if (!is_driver(scene.constraints[c])) continue;
     list.push_back({"the speed of " + scene.constraints[c].name, [c](Scene& changed, double factor) {
-                      std::get<SceneDriver>(changed.constraints[c].kind).speed *= factor;
+                      std::get<Driver<double>>(changed.constraints[c].constraint).speed *= factor;
                     }});
   }
   if (!is_zero(scene.gravity)) {
@@ -111,7 +113,7 @@ std::vector<SceneChange> changes_of(const Scene& scene) {
                     for (SceneBody& body : changed.bodies) body.spin = -body.spin;
                     for (SceneConstraint& constraint : changed.constraints) {
                       if (!is_driver(constraint)) continue;
-                      auto& driver = std::get<SceneDriver>(constraint.kind);
+                      auto& driver = std::get<Driver<double>>(constraint.constraint);
                       driver.speed = -driver.speed;
                       driver.acceleration = -driver.acceleration;
                     }

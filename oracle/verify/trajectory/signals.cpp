@@ -70,7 +70,7 @@ std::vector<Signal> signals_of(const Scene& scene, const Trajectory& reference) 
     signals.add(SignalKind::spin, body.name, "spin", {"omega"}, 0, units.angle * units.rate, 1, "rad/s");
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<SceneDriver>(each.kind)) continue;
+    if (!std::holds_alternative<Driver<double>>(each.constraint)) continue;
     signals.add(SignalKind::moment, each.name, "driving moment", {"moment"}, 0, units.energy, 1, "N m");
   }
   for (const char* term : {"kinetic", "potential"}) {

@@ -15,6 +15,7 @@
 #include "lubjoint/film/bearing.hpp"
 #include "lubjoint/film/extent.hpp"
 #include "lubjoint/film/film_state.hpp"
+#include "lubjoint/film/law_facts.hpp"
 #include "lubjoint/number/dual.hpp"
 
 namespace lubjoint {

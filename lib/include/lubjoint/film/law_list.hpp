@@ -1,4 +1,4 @@
-/// The eight laws, by type and by name.
+/// The laws, by type and by name: a new one is a header of its own and a line in FilmLaws.
 #pragma once
 
 #include <array>
@@ -24,6 +24,12 @@ namespace lubjoint {
 using FilmLaws =
     std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
 
+/// What each law's header says of it, in the order of FilmLaws.
+inline constexpr auto facts_of_film_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
+  return std::array<LawFacts, sizeof...(Law)>{
+      LawFacts{Law::name, Law::words, Law::limit, Law::extent, Law::has_pressure, PolarLaw<Law>, Law::potential}...};
+}(std::type_identity<FilmLaws>{});
+
 /// Names of the laws, in the order of FilmLaws.
 inline constexpr auto film_law_names = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
   return std::array<std::string_view, sizeof...(Law)>{Law::name...};
@@ -47,14 +53,18 @@ inline std::string listed_film_laws() {
   return list;
 }
 
-/// Accepts the name of a law.
+/// Place of a law in FilmLaws.
 /// @throws std::invalid_argument that lists the laws there are
-inline void require_film_law(std::string_view name) {
-  for (const std::string_view known : film_law_names) {
-    if (known == name) return;
+constexpr std::size_t film_law_index(std::string_view name) {
+  for (std::size_t i = 0; i < film_law_names.size(); ++i) {
+    if (film_law_names[i] == name) return i;
   }
   throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws());
 }
+
+/// Accepts the name of a law.
+/// @throws std::invalid_argument that lists the laws there are
+inline void require_film_law(std::string_view name) { film_law_index(name); }
 
 /// Returns `visitor.template operator()<Law>()` for the law of that name: the one place where a name becomes a type.
 /// @throws std::invalid_argument that lists the laws there are

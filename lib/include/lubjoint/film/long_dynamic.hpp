@@ -12,9 +12,12 @@ namespace lubjoint {
 /// keeps its digits as ε → 1.
 /// Accuracy: data/accuracy.csv
 struct LongDynamic {
-  static constexpr std::string_view name = "long_dynamic";           ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
-  static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< θs…θs + π
+  static constexpr std::string_view name = "long_dynamic";                 ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;        ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;                ///< θs…θs + π
+  static constexpr std::string_view words = "long bearing, dynamic film";  ///< for people
+  static constexpr bool has_pressure = true;                               ///< the force is its integral
+  static constexpr Potential potential = Potential::none;                  ///< ∂F/∂u is not symmetric
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>

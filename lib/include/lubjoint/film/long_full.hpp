@@ -10,9 +10,12 @@ namespace lubjoint {
 /// Source: Flores et al. (2009), eqs. 10 and 11. Linear in u.
 /// Accuracy: data/accuracy.csv
 struct LongFull {
-  static constexpr std::string_view name = "long_full";              ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
-  static constexpr FilmExtent extent = FilmExtent::full;             ///< 0…2π, negative pressure kept
+  static constexpr std::string_view name = "long_full";                 ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;     ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::full;                ///< 0…2π, negative pressure kept
+  static constexpr std::string_view words = "long bearing, full film";  ///< for people
+  static constexpr bool has_pressure = true;                            ///< the force is its integral
+  static constexpr Potential potential = Potential::convex;             ///< of the dissipation
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>

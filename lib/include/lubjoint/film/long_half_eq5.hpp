@@ -12,9 +12,12 @@ namespace lubjoint {
 /// at e = 0 with a tangential force.
 /// Accuracy: data/accuracy.csv
 struct LongHalfEq5 {
-  static constexpr std::string_view name = "long_half_eq5";          ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
-  static constexpr FilmExtent extent = FilmExtent::half;             ///< 0…π, or π…2π where a < 0
+  static constexpr std::string_view name = "long_half_eq5";                  ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;          ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::half;                     ///< 0…π, or π…2π where a < 0
+  static constexpr std::string_view words = "long bearing, eq. 5 cut at π";  ///< for people
+  static constexpr bool has_pressure = true;                                 ///< the force is its integral
+  static constexpr Potential potential = Potential::none;                    ///< ∂F/∂u is not symmetric
 
   /// F/S [1/s], radial and tangential, as above.
   /// @param side  the half that carries pressure: given, since a motion that slides along a = 0 asks for both

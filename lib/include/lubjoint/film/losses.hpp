@@ -33,7 +33,7 @@ template <FilmLaw Law>
 ShearedGap sheared_gap(ShearExtent shear) {
   if (!has_shear<Law>(shear)) {
     throw std::invalid_argument("shear \"striated\" is not defined for the law " + std::string(Law::name) +
-                                "; allowed is film or flooded, or a half film: short_half, long_half, long_half_eq5");
+                                "; allowed is film or flooded, or a half film");
   }
   if (shear == ShearExtent::flooded || Law::extent == FilmExtent::full) return ShearedGap::whole;
   if (shear == ShearExtent::striated) return ShearedGap::striated;

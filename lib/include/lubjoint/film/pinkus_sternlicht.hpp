@@ -17,6 +17,9 @@ struct PinkusSternlicht {
   static constexpr std::string_view name = "pinkus_sternlicht";      ///< in scenes and options
   static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
   static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< the film it approximates: θs…θs + π
+  static constexpr std::string_view words = "Pinkus–Sternlicht";     ///< for people
+  static constexpr bool has_pressure = false;                        ///< no pressure field has this force
+  static constexpr Potential potential = Potential::none;            ///< ∂F/∂u is not symmetric
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>

@@ -11,9 +11,12 @@ namespace lubjoint {
 /// Smooth away from u = 0; one arctangent. A film that opens keeps its digits as ε → 1.
 /// Accuracy: data/accuracy.csv
 struct ShortDynamic {
-  static constexpr std::string_view name = "short_dynamic";           ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::short_bearing;  ///< S = μRL³/c²
-  static constexpr FilmExtent extent = FilmExtent::dynamic;           ///< θs…θs + π
+  static constexpr std::string_view name = "short_dynamic";                 ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;        ///< S = μRL³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;                 ///< θs…θs + π
+  static constexpr std::string_view words = "short bearing, dynamic film";  ///< for people
+  static constexpr bool has_pressure = true;                                ///< the force is its integral
+  static constexpr Potential potential = Potential::convex;                 ///< of the dissipation
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>

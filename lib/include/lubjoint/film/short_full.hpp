@@ -10,9 +10,12 @@ namespace lubjoint {
 /// Source: Flores et al. (2009), eqs. 6 and 7. Linear in u.
 /// Accuracy: data/accuracy.csv
 struct ShortFull {
-  static constexpr std::string_view name = "short_full";              ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::short_bearing;  ///< S = μRL³/c²
-  static constexpr FilmExtent extent = FilmExtent::full;              ///< 0…2π, negative pressure kept
+  static constexpr std::string_view name = "short_full";                 ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;     ///< S = μRL³/c²
+  static constexpr FilmExtent extent = FilmExtent::full;                 ///< 0…2π, negative pressure kept
+  static constexpr std::string_view words = "short bearing, full film";  ///< for people
+  static constexpr bool has_pressure = true;                             ///< the force is its integral
+  static constexpr Potential potential = Potential::convex;              ///< of the dissipation
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>

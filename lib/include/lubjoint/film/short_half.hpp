@@ -10,9 +10,12 @@ namespace lubjoint {
 /// Source: Flores et al. (2009), eqs. 8 and 9, printed for a ≥ 0. F_t jumps at a = 0 where εb ≠ 0.
 /// Accuracy: data/accuracy.csv
 struct ShortHalf {
-  static constexpr std::string_view name = "short_half";              ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::short_bearing;  ///< S = μRL³/c²
-  static constexpr FilmExtent extent = FilmExtent::half;              ///< 0…π, or π…2π where a < 0
+  static constexpr std::string_view name = "short_half";                 ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::short_bearing;     ///< S = μRL³/c²
+  static constexpr FilmExtent extent = FilmExtent::half;                 ///< 0…π, or π…2π where a < 0
+  static constexpr std::string_view words = "short bearing, half film";  ///< for people
+  static constexpr bool has_pressure = true;                             ///< the force is its integral
+  static constexpr Potential potential = Potential::not_convex;  ///< kinked where a = 0, concave there for b < 0
 
   /// F/S [1/s], radial and tangential, as above.
   /// @param side  the half that carries pressure: given, since a motion that slides along a = 0 asks for both

@@ -1,4 +1,5 @@
-/// The constraints that there are.
+/// The constraints that there are. A new one is a header of its own (rows, bodies, evaluate, cast, visit_points), a
+/// place in AnyConstraint, a reader in lib/src/scene_parts.cpp, and a proof of its γ in oracle/proofs/mechanics.cpp.
 #pragma once
 
 #include <string>
@@ -32,6 +33,21 @@ struct NamedConstraint {
   /// Number of body j.
   std::size_t second_body() const {
     return std::visit([](const auto& c) { return c.second_body(); }, constraint);
+  }
+  /// The same on another scalar.
+  template <class S>
+  NamedConstraint<S> cast() const {
+    return {name, std::visit([](const auto& c) { return AnyConstraint<S>(c.template cast<S>()); }, constraint)};
+  }
+  /// Calls visit(point) for each point that it fixes to a body or the ground.
+  template <class Visit>
+  void visit_points(Visit&& visit) {
+    std::visit([&](auto& c) { c.visit_points(visit); }, constraint);
+  }
+  /// The same, of points that stay as they are.
+  template <class Visit>
+  void visit_points(Visit&& visit) const {
+    std::visit([&](auto c) { c.visit_points(visit); }, constraint);
   }
   /// Does it prescribe a motion, so that its multiplier is a driving moment?
   bool is_driver() const { return std::holds_alternative<Driver<R>>(constraint); }

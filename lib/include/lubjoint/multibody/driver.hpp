@@ -18,6 +18,15 @@ struct Driver {
   std::size_t first_body() const { return first; }    ///< i
   std::size_t second_body() const { return second; }  ///< j
 
+  /// On another scalar.
+  template <class S>
+  Driver<S> cast() const {
+    return {first, second, S(angle), S(speed), S(acceleration)};
+  }
+  /// Calls visit(point) for each point that it fixes to a body.
+  template <class Visit>
+  void visit_points(Visit&&) {}
+
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time& t,

@@ -15,6 +15,15 @@ struct GroundConstraint {
   std::size_t first_body() const { return ground_body; }  ///< i
   std::size_t second_body() const { return body; }        ///< j
 
+  /// On another scalar.
+  template <class S>
+  GroundConstraint<S> cast() const {
+    return {body, position.template cast<S>(), S(angle)};
+  }
+  /// Calls visit(point) for each point that it fixes to a body.
+  template <class Visit>
+  void visit_points(Visit&&) {}
+
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>&, const PlanarFrame<T>& held, const Time&, ConstraintRow<T>* row) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "lubjoint/film/bearing.hpp"
 #include "lubjoint/joint/planar_motion.hpp"
@@ -39,8 +40,26 @@ struct PlanarBody {
 /// A point fixed to a body, from its mass centre; or to the ground, inertial.
 template <class R>
 struct BodyPoint {
-  std::size_t body;  ///< its number, or ground_body
-  Vector2<R> point;  ///< [m]
+  std::size_t body = ground_body;  ///< its number, or ground_body
+  Vector2<R> point{R(0), R(0)};    ///< [m]
+
+  bool on_ground() const { return body == ground_body; }  ///< is it inertial?
+
+  /// On another scalar.
+  template <class S>
+  BodyPoint<S> cast() const {
+    return {body, point.template cast<S>()};
+  }
 };
+
+/// Motion of a body in a state (q, q̇) of a system, or of the ground.
+/// @param y  q of all bodies, then q̇ of all
+template <class R>
+PlanarMotion<R> motion_in(const std::vector<R>& y, std::size_t body) {
+  if (body == ground_body) return ground_motion<R>();
+  const R* q = y.data() + planar_coordinates * body;
+  const R* v = q + y.size() / 2;
+  return {Vector2<R>(q[0], q[1]), q[2], Vector2<R>(v[0], v[1]), v[2]};
+}
 
 }  // namespace lubjoint

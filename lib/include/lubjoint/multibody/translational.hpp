@@ -18,6 +18,18 @@ struct Translational {
   std::size_t first_body() const { return first.body; }    ///< i
   std::size_t second_body() const { return second.body; }  ///< j
 
+  /// On another scalar.
+  template <class S>
+  Translational<S> cast() const {
+    return {first.template cast<S>(), axis.template cast<S>(), second.template cast<S>(), S(angle)};
+  }
+  /// Calls visit(point) for each point that it fixes to a body.
+  template <class Visit>
+  void visit_points(Visit&& visit) {
+    visit(first);
+    visit(second);
+  }
+
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time&, ConstraintRow<T>* row) const {

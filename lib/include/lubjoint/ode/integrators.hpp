@@ -1,8 +1,8 @@
-/// The integrators by name.
+/// The integrators by name. A new one is a header of its own and a row in lib/src/integrators.cpp.
 #pragma once
 
-#include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,18 +10,17 @@
 
 namespace lubjoint {
 
-/// Names of the integrators. `automatic_integrator` is no method of its own: it stands for the choice among them.
-inline constexpr std::array<std::string_view, 6> method_names = {
-    "radau_iia5", "rosenbrock4", "dopri5", "fehlberg78", "bulirsch_stoer", "adams_bashforth_moulton"};
-/// What stands for the choice among them.
+/// Names of the integrators, in the order in which they are listed everywhere.
+std::span<const std::string_view> method_names();
+
+/// What stands for the choice among them; no method of its own.
 inline constexpr std::string_view automatic_integrator = "auto";
 
-/// What a scene or an option may name.
-inline constexpr std::array<std::string_view, 7> integrator_names = {
-    "radau_iia5", "rosenbrock4", "dopri5", "fehlberg78", "bulirsch_stoer", "adams_bashforth_moulton", "auto"};
+/// What a scene or an option may name: the integrators and auto.
+std::span<const std::string_view> integrator_names();
 
 /// Is its step length not bound by stability?
-constexpr bool is_stiff_integrator(std::string_view name) { return name == "radau_iia5" || name == "rosenbrock4"; }
+bool is_stiff_integrator(std::string_view name);
 
 /// An integrator for 2 or 4 states, or (run_time_size) as many as its tolerances; compiled in the scene library.
 /// @throws std::invalid_argument for a name that is none of method_names

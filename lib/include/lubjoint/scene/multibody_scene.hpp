@@ -28,9 +28,6 @@ inline std::string held_spin_name(const SceneBody& body) { return body.name + ".
 /// The scene's bodies, constraints and joints on any scalar.
 template <class R>
 PlanarSystem<R> planar_system(const Scene& scene) {
-  const auto point = [](const SceneAnchor& anchor) {
-    return BodyPoint<R>{anchor.body.value_or(ground_body), anchor.point.template cast<R>()};
-  };
   std::vector<PlanarBody<R>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     Vector2<R> force(R(0), R(0));
@@ -43,22 +40,7 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     bodies.emplace_back(R(scene.bodies[b].mass), R(scene.bodies[b].inertia), force, moment);
   }
   std::vector<NamedConstraint<R>> constraints;
-  for (const SceneConstraint& each : scene.constraints) {
-    AnyConstraint<R> made;
-    if (const auto* ground = std::get_if<SceneGround>(&each.kind)) {
-      made = GroundConstraint<R>{ground->body, ground->position.template cast<R>(), R(ground->angle)};
-    } else if (const auto* pin = std::get_if<SceneRevolute>(&each.kind)) {
-      made = Revolute<R>{point(pin->first), point(pin->second)};
-    } else if (const auto* guide = std::get_if<SceneTranslational>(&each.kind)) {
-      made =
-          Translational<R>{point(guide->first), guide->axis.template cast<R>(), point(guide->second), R(guide->angle)};
-    } else {
-      const auto& driver = std::get<SceneDriver>(each.kind);
-      made = Driver<R>{driver.against.value_or(ground_body), driver.body, R(driver.angle), R(driver.speed),
-                       R(driver.acceleration)};
-    }
-    constraints.push_back({each.name, made});
-  }
+  for (const SceneConstraint& each : scene.constraints) constraints.push_back(each.cast<R>());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const SceneBody& body = scene.bodies[b];
     if (!body.spin_is_held) continue;
@@ -69,7 +51,8 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     // A dry joint's length enters nothing.
     const R length = each.length > 0 ? R(each.length) : R(each.journal_radius);
     const Bearing<R> bearing(length, R(each.journal_radius), R(each.clearance));
-    JointElement<R> joint{each.name, point(each.bearing), point(each.journal), bearing, std::nullopt, std::nullopt};
+    JointElement<R> joint{each.name, each.bearing.cast<R>(), each.journal.cast<R>(),
+                          bearing,   std::nullopt,           std::nullopt};
     if (each.film != no_film) {
       const R widening = each.transition ? R(each.transition->e1) : R(0);
       const Bearing<R> of_film(length, bearing.radius(), R(bearing.clearance() + widening));

@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/multibody/constraint.hpp"
 #include "lubjoint/number/vector.hpp"
 
 namespace lubjoint {
@@ -32,11 +32,8 @@ struct SceneLoad {
   double moment = 0;            ///< counter-clockwise positive [N m]
 };
 
-/// One side of a joint: a point fixed to a body, or to the ground.
-struct SceneAnchor {
-  std::optional<std::size_t> body;  ///< none: ground
-  Vector2<double> point{0, 0};      ///< body-fixed, from the mass centre; inertial on the ground
-};
+/// One side of a joint: a point fixed to a body, from its mass centre, or to the ground, inertial.
+using SceneAnchor = BodyPoint<double>;
 
 /// Widths of the transition from film to contact: 0 < e₀ < e₁ [m].
 struct SceneTransition {
@@ -75,42 +72,8 @@ struct SceneJoint {
   std::optional<ShearExtent> shear;           ///< none: no friction torque
 };
 
-/// A body held where it is.
-struct SceneGround {
-  std::size_t body = 0;            ///< its number in Scene::bodies
-  Vector2<double> position{0, 0};  ///< of its mass centre [m]
-  double angle = 0;                ///< [rad]
-};
-
-/// An ideal pin.
-struct SceneRevolute {
-  SceneAnchor first;   ///< on one body
-  SceneAnchor second;  ///< on the other
-};
-
-/// A slider (second) on a straight guide (first).
-struct SceneTranslational {
-  SceneAnchor first;           ///< a point of the guide
-  Vector2<double> axis{1, 0};  ///< the guide's direction, fixed to its body; any length
-  SceneAnchor second;          ///< a point of the slider
-  double angle = 0;            ///< [rad], of the slider to the guide's body
-};
-
-/// A motor: the body's angle against another's, φ₀ + ωt + ½αt².
-struct SceneDriver {
-  std::size_t body = 0;                ///< the one that is turned
-  std::optional<std::size_t> against;  ///< none: ground
-  double angle = 0;                    ///< φ₀ [rad]
-  double speed = 0;                    ///< ω [rad/s]
-  double acceleration = 0;             ///< α [rad/s²]
-};
-
-/// A constraint of any kind.
-struct SceneConstraint {
-  std::string name;  ///< unique
-  /// What it is.
-  std::variant<SceneGround, SceneRevolute, SceneTranslational, SceneDriver> kind;
-};
+/// A constraint of any kind, in double precision.
+using SceneConstraint = NamedConstraint<double>;
 
 /// How constraints are kept: Baumgarte's α and β, or projection of every step.
 struct SceneStabilisation {

@@ -1,4 +1,5 @@
-# Run as a script: writes OUTPUT, a C++ file with the version and a checksum of the files listed in LIST.
+# Run as a script: writes OUTPUT, a C++ file whose function FUNCTION, declared in HEADER, returns the version and a
+# checksum of the files listed in LIST.
 file(STRINGS ${LIST} files)
 list(SORT files)
 set(all "")
@@ -9,7 +10,7 @@ endforeach()
 string(SHA256 checksum "${all}")
 string(SUBSTRING ${checksum} 0 12 checksum)
 file(WRITE ${OUTPUT}
-"#include \"oracle/measure/measuring_sources.hpp\"
+"#include \"${HEADER}\"
 
-std::string lubjoint::reports::measuring_sources() { return \"${VERSION} ${checksum}\"; }
+std::string lubjoint::reports::${FUNCTION}() { return \"${VERSION} ${checksum}\"; }
 ")

@@ -1,0 +1,9 @@
+#include "oracle/cli/command_line.hpp"
+
+int main(int argc, char** argv) {
+  return lubjoint::cli::run_program(argc, argv, [](CLI::App& app, lubjoint::cli::Action& action) {
+    lubjoint::cli::add_bench(app, action);
+    lubjoint::cli::add_cost(app, action);
+    lubjoint::cli::add_stress(app, action);
+  });
+}
