@@ -21,7 +21,9 @@ page::Content full_content() {
   page::Content content = quick_page_content();
   content.run_times = page::read_run_times(invented_data("bench-scenes.csv"), "bench-scenes.csv");
   content.stability = page::read_stability(invented_data("stress.csv"), "stress.csv");
-  content.proofs = {{"group", "a statement", "eq. 1", "proved", true}, {"group", "a wrong one", "", "refuted", true}};
+  content.proofs = page::ProofLedger{
+      reports::proof_sources(),
+      {{"group", "a statement", "eq. 1", "proved", true}, {"group", "a wrong one", "", "refuted", true}}};
   return content;
 }
 
@@ -200,9 +202,28 @@ TEST_CASE("report: the verdict is good when everything agrees, and names what do
   CHECK_THAT(section(unstable, "verdict"), Contains(" 1 wrong") && Contains("class=\"verdict bad\""));
   CHECK(count(section(unstable, "stability"), "<td class=\"level-wrong\"") == 1);
   content = full_content();
-  (*content.proofs)[1].as_expected = false;
+  content.proofs->statements[1].as_expected = false;
   CHECK_FALSE(content.passed());
   CHECK_THAT(section(page_of(content), "verdict"), Contains("✗ 1 of 2 as they should be"));
+}
+
+TEST_CASE("report: a stored ledger of other sources is shown, said to be so, and ticks nothing") {
+  page::Content content = full_content();
+  content.proofs->sources = "0.0 of another day";
+  const std::string html = page_of(content);
+  CHECK_THAT(section(html, "proofs"), Contains("0.0 of another day") && Contains(reports::proof_sources()));
+  CHECK_THAT(section(html, "verdict"), Contains("– 2 of 2 as they should be, proved of other sources"));
+}
+
+TEST_CASE("report: the stored ledger ships, is of these sources, closes, and comes back from its JSON") {
+  const std::string file = LUBJOINT_SOURCE_DIR "/data/proofs/ledger.json";
+  const page::ProofLedger ledger = page::read_ledger(read_text(file), file);
+  CHECK(ledger.is_of_these_sources());  // else: ./lubjoint prove --store data/proofs/ledger.json
+  CHECK(ledger.closes());
+  CHECK(page::ledger_json(ledger) == read_text(file));
+  CHECK_THROWS_WITH(page::read_ledger("{\"sources\": 1}", "mine.json"),
+                    Contains("mine.json is no proof ledger") && Contains("prove --store"));
+  CHECK_FALSE(page::ProofLedger{reports::proof_sources(), {}}.closes());
 }
 
 TEST_CASE("report: what was not measured is said, with the command that measures it") {
@@ -210,7 +231,7 @@ TEST_CASE("report: what was not measured is said, with the command that measures
   CHECK_THAT(section(html, "run-time"), Contains("./lubjoint bench") && Contains("bench-scenes.csv"));
   CHECK_THAT(section(html, "stability"), Contains("./lubjoint stress") && Contains("stress.csv"));
   CHECK_THAT(section(html, "proofs"), Contains("./lubjoint prove"));
-  CHECK_THAT(section(html, "verdict"), Contains("not in this build"));
+  CHECK_THAT(section(html, "verdict"), Contains("no stored ledger"));
   CHECK(count(html, "csv-run-time\"") == 0);
 }
 

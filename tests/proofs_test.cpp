@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "oracle/cli/prove.hpp"
 #include "oracle/proofs/algebra.hpp"
 #include "oracle/proofs/ledger.hpp"
 #include "oracle/proofs/sommerfeld.hpp"
@@ -42,6 +43,14 @@ TEST_CASE("proofs: every statement that should hold is proved, every wrong one r
   const std::string table = ledger_table(results);
   CHECK_THAT(table, Catch::Contains("0 not as expected"));
   CHECK_THAT(table, Catch::Contains("not an identity"));
+}
+
+TEST_CASE("proofs: the stored ledger, which the report shows, is what these proofs say") {
+  const std::string file = LUBJOINT_SOURCE_DIR "/data/proofs/ledger.json";
+  const auto stored = lubjoint::reports::page::read_ledger(lubjoint::test::read_text(file), file);
+  const auto fresh = lubjoint::cli::stored_ledger(prove_all());
+  CHECK(stored.sources == fresh.sources);
+  CHECK(stored.statements == fresh.statements);
 }
 
 TEST_CASE("prove: --json has each statement of the ledger with its verdict") {

@@ -12,6 +12,7 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/results/trajectory_csv.hpp"
 #include "support/csv.hpp"
 #include "support/scene_text.hpp"
 

@@ -11,7 +11,7 @@ namespace lubjoint::certified {
 
 struct GoldenRun {
   unsigned threads = 0;   ///< 0: one a core
-  std::size_t every = 1;  ///< checks only every so manyth row of the files whose checksum is right
+  std::size_t every = 1;  ///< checks one row in this many, of the files whose checksum is right
   /// Rows done and rows in all; called from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
 };

@@ -69,7 +69,7 @@ void add_golden(CLI::App& app, Action& action) {
   command->add_option("--threads", options->run.threads, "Threads; 0: one a core")->check(CLI::Range(0, 256));
   command
       ->add_option("--every", options->run.every,
-                   "With --check: only every so manyth row of the files whose checksum is right")
+                   "With --check: one row in N alone, of the files whose checksum is right")
       ->check(CLI::Range(1, 1000000));
   command->add_flag("--trajectories", options->trajectories, "The trajectories, a step of its own: some 7 minutes");
   command->add_flag("--fresh", options->fresh, "With --trajectories: also those that are there");

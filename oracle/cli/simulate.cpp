@@ -8,6 +8,7 @@
 #include "oracle/results/film_resolution.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/results/trajectory_csv.hpp"
 
 namespace lubjoint::cli {
 

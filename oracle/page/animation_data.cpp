@@ -19,11 +19,12 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/page/sections.hpp"
-#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/reynolds/film_integral.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports::page {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "oracle/page/panel.hpp"
 #include "oracle/page/sections.hpp"
 

@@ -30,7 +30,10 @@ std::string ledger(const ProofLedger& proofs) {
 Section proofs_section(const Content& content) {
   return {"proofs", "Proof ledger",
           filled("proofs.html",
-                 {{"ledger", content.proofs ? ledger(*content.proofs) : "<p>The stored ledger is not with this program’s data. <code>./lubjoint prove</code> proves everything in a few seconds, and prints the ledger.</p>"}})};
+                 {{"ledger", content.proofs
+                                 ? ledger(*content.proofs)
+                                 : "<p>The stored ledger is not with this program’s data. <code>./lubjoint "
+                                   "prove</code> proves everything in a few seconds, and prints the ledger.</p>"}})};
 }
 
 }  // namespace lubjoint::reports::page

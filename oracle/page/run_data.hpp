@@ -15,7 +15,7 @@ enum class RowStatus {
   coarse,  ///< of extreme cases: finished further off than its tolerance lets one expect, and warned of that itself
   unreferenced,  ///< of extreme cases: finished, and nothing is known of its error
   stopped,       ///< with a reason
-  wrong          ///< of extreme cases: far from the reference, a number that is none, a stop without a reason
+  wrong          ///< of extreme cases: far from the reference, a number that is not finite, a stop without a reason
 };
 
 /// What `bench scenes` measured.

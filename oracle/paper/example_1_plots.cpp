@@ -5,6 +5,7 @@
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_1.hpp"
 #include "oracle/results/journal_report.hpp"
+#include "oracle/results/trajectory_csv.hpp"
 
 namespace lubjoint::reports {
 

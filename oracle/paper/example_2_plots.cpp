@@ -6,6 +6,7 @@
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_2.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/results/trajectory_csv.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {

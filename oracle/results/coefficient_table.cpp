@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "lubjoint/film/steady_place.hpp"
 #include "oracle/files/files.hpp"
 

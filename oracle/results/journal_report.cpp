@@ -16,35 +16,7 @@ namespace lubjoint::reports {
 
 namespace {
 constexpr double degrees = 180 / boost::math::constants::pi<double>();
-
-double clearance_left(const JournalState<double>& y) {
-  const double epsilon = std::hypot(y[0], y[1]);
-  return one_minus_squared_norm(y[0], y[1]) / (1 + epsilon);  // 1 − ε without cancellation
-}
 }  // namespace
-
-std::string trajectory_csv(const Scene& scene, const JournalTrajectory& run) {
-  const SceneBody& body = scene.bodies.front();
-  const SceneJoint& joint = scene.joints.front();
-  const double c = joint.clearance;
-  std::string csv = fmt::format(
-      "t,{0}.x,{0}.y,{0}.phi,{0}.vx,{0}.vy,{0}.omega,{1}.ex,{1}.ey,{1}.eccentricity_ratio,{1}.attitude,{1}.fx,{1}.fy,"
-      "{1}.film_thickness",
-      body.name, joint.name);
-  if (joint.shear) csv += loss_header(joint.name);
-  csv += '\n';
-  for (const JournalSample& s : run.samples) {
-    const double ex = c * s.state[0];
-    const double ey = c * s.state[1];
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.t,
-                   joint.bearing.point.x() + ex, joint.bearing.point.y() + ey, body.angle + body.spin * s.t,
-                   c * s.state[2], c * s.state[3], body.spin, ex, ey, s.eccentricity_ratio(),
-                   std::atan2(s.state[1], s.state[0]), s.force.x(), s.force.y(), c * clearance_left(s.state));
-    if (joint.shear) csv += loss_fields(journal_losses(scene, s));
-    csv += '\n';
-  }
-  return csv;
-}
 
 nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory& run) {
   const SceneJoint& joint = scene.joints.front();

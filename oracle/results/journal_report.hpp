@@ -9,10 +9,6 @@
 
 namespace lubjoint::reports {
 
-/// Trajectory as CSV: t; of the body x, y, phi, vx, vy, omega; of the joint ex, ey, eccentricity_ratio, attitude (from
-/// the x axis to e), fx, fy, film_thickness. SI units.
-std::string trajectory_csv(const Scene& scene, const JournalTrajectory& run);
-
 /// The summary that scripts read; keys as documented for `simulate`.
 nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory& run);
 std::string summary_text(const Scene& scene, const JournalTrajectory& run);

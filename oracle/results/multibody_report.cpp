@@ -25,47 +25,7 @@ std::string laws_of(const Scene& scene) {
   return laws.empty() ? no_film : laws;
 }
 
-template <class... Numbers>
-void append(std::string& csv, const Numbers&... numbers) {
-  (fmt::format_to(std::back_inserter(csv), ",{}", numbers), ...);
-}
-
 }  // namespace
-
-std::string trajectory_csv(const Scene& scene, const MultibodyTrajectory& run) {
-  std::string csv = "t";
-  for (const SceneBody& body : scene.bodies) {
-    csv += fmt::format(",{0}.x,{0}.y,{0}.phi,{0}.vx,{0}.vy,{0}.omega", body.name);
-  }
-  for (const SceneJoint& joint : scene.joints) {
-    csv +=
-        fmt::format(",{0}.ex,{0}.ey,{0}.eccentricity_ratio,{0}.attitude,{0}.fx,{0}.fy,{0}.film_thickness", joint.name);
-    if (joint.shear) csv += loss_header(joint.name);
-  }
-  for (const std::string& driver : run.driver_names) csv += "," + driver + ".moment";
-  if (scene.energy_ledger) {
-    csv += ",energy.kinetic,energy.potential";
-    for (const char* term : ledger_names) csv += fmt::format(",work.{}", term);
-  }
-  csv += '\n';
-  const std::size_t n = 3 * scene.bodies.size();
-  for (const MultibodySample& s : run.samples) {
-    csv += fmt::format("{}", s.t);
-    for (std::size_t i = 0; i < n; i += 3) {
-      append(csv, s.state[i], s.state[i + 1], s.state[i + 2], s.state[n + i], s.state[n + i + 1], s.state[n + i + 2]);
-    }
-    for (std::size_t k = 0; k < s.joints.size(); ++k) {
-      const JointSample& j = s.joints[k];
-      append(csv, j.eccentricity.x(), j.eccentricity.y(), j.eccentricity_ratio,
-             std::atan2(j.eccentricity.y(), j.eccentricity.x()), j.force.x(), j.force.y(), j.film_thickness);
-      if (scene.joints[k].shear) csv += loss_fields(j.losses);
-    }
-    for (const double moment : s.driving_moments) append(csv, moment);
-    for (const double value : s.ledger) append(csv, value);
-    csv += '\n';
-  }
-  return csv;
-}
 
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run) {
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();

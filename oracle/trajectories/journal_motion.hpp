@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "oracle/laws/published_forms.hpp"
 #include "oracle/trajectories/journal_trajectory.hpp"
 

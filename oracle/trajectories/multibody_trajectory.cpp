@@ -40,7 +40,7 @@ constexpr int outputs = 100;
 /// Of a step: what rounding to 64 bits leaves of it is of the same size.
 constexpr double tolerance = 1e-17;
 
-/// Into so many pieces each output interval is cut for Fehlberg's pair, a step at most a piece: its estimate sees
+/// Number of pieces that each output interval is cut into for Fehlberg's pair, a step at most a piece: its estimate sees
 /// little of the kink of a Pinkus–Sternlicht film at ε̇ = 0. Radau's sees it.
 constexpr int fehlberg_pieces = 1000;
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "lubjoint/film/law_facts.hpp"
 #include "oracle/laws/published_forms.hpp"
 #include "oracle/measure/stress/reference_methods.hpp"
 

@@ -29,7 +29,7 @@ struct TextPrecision {
   bool all_single = false;  ///< every number is one of single precision
 };
 
-/// Answers in the order of the states; a number that is none (NaN, infinite) is NaN.
+/// Answers in the order of the states; what is not finite is NaN.
 struct Answers {
   std::vector<Answer> values;
   TextPrecision text;

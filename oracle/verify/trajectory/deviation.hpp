@@ -13,7 +13,7 @@ namespace lubjoint::verify {
 struct Yardstick {
   Signal signal;
   Samples fine;
-  std::size_t stride = 1;  ///< judged is at every so manyth sample, and at the given trajectory's own times
+  std::size_t stride = 1;  ///< one sample in this many is judged, and the given trajectory's own times
   /// Largest error until this time of a run that is as accurate as asked for; one number a sample [SI].
   std::vector<double> sensitivity;
   double tolerance = 0;  ///< what is allowed beside sensitivity and interpolation [SI]

@@ -49,7 +49,7 @@ bool can_be_run(std::string_view law, const Scene& scene) {
   return runs;
 }
 
-void add_joint_changes(std::vector<SceneChange>& list, const Scene& whole, std::size_t j) {
+void add_joint_changes(std::vector<SceneVariant>& list, const Scene& whole, std::size_t j) {
   const SceneJoint& joint = whole.joints[j];
   list.push_back({"bearing and journal of " + joint.name + " were exchanged",
                   [j](Scene& scene) { std::swap(scene.joints[j].bearing, scene.joints[j].journal); }});
@@ -95,8 +95,8 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
   return list;
 }
 
-std::vector<SceneChange> changes_of(const Scene& scene) {
-  std::vector<SceneChange> list;
+std::vector<SceneVariant> changes_of(const Scene& scene) {
+  std::vector<SceneVariant> list;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) add_joint_changes(list, scene, j);
   if (!is_zero(scene.gravity)) {
     list.push_back({"there were no gravity", [](Scene& changed) { changed.gravity = {0, 0}; }});

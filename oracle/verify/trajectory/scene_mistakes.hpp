@@ -16,7 +16,7 @@ struct SceneNumber {
 };
 
 /// A change that was made or not.
-struct SceneChange {
+struct SceneVariant {
   std::string words;  ///< completes "as if"
   std::function<void(Scene&)> apply;
 };
@@ -25,6 +25,6 @@ struct SceneChange {
 std::vector<SceneNumber> numbers_of(const Scene& scene);
 
 /// Another law, bearing and journal exchanged, diameter for radius, gravity, spins the other way, start at rest.
-std::vector<SceneChange> changes_of(const Scene& scene);
+std::vector<SceneVariant> changes_of(const Scene& scene);
 
 }  // namespace lubjoint::verify

@@ -85,7 +85,7 @@ std::optional<CommonSuspect> common_suspect(const TrajectoryVerification& v, con
 std::vector<Suspect> scene_suspects(const SceneReference& reference, const FailingSignals& failing,
                                     const std::function<void()>& progress) {
   std::vector<Suspect> list;
-  for (const SceneChange& change : changes_of(reference.scene)) {
+  for (const SceneVariant& change : changes_of(reference.scene)) {
     if (progress) progress();
     Scene scene = failing.scene();
     change.apply(scene);

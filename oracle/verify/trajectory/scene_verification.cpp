@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/results/journal_report.hpp"
-#include "oracle/results/multibody_report.hpp"
 #include "oracle/verify/states/answers.hpp"
 #include "oracle/verify/trajectory/scene_suspects.hpp"
 
@@ -65,7 +63,7 @@ Trajectory simulated(const Scene& scene) {
       throw UnjudgedError(fmt::format("our own run of {} at tolerance {} stops at {} s: {}", scene.file,
                                       scene.run.relative_tolerance, run.outcome.t_end, run.outcome.message));
     }
-    return read_trajectory(reports::trajectory_csv(scene, run), "our own run of " + scene.file);
+    return as_trajectory(trajectory_table(scene, run), "our own run of " + scene.file);
   };
   return is_free_journal(scene) ? table(simulate_journal(scene)) : table(simulate_multibody(scene));
 }

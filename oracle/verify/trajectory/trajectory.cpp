@@ -50,6 +50,27 @@ Trajectory read_trajectory(std::string_view csv, const std::string& name, const 
   }
 }
 
+Trajectory as_trajectory(const TrajectoryTable& table, const std::string& name) {
+  Trajectory trajectory{name, {}, {}, {}};
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    std::vector<double> column;
+    column.reserve(table.rows.size());
+    for (const auto& row : table.rows) {
+      if (row[k]) column.push_back(*row[k]);
+    }
+    if (column.size() < table.rows.size()) continue;
+    if (table.columns[k] == "t") {
+      trajectory.t = std::move(column);
+    } else {
+      trajectory.columns[table.columns[k]] = std::move(column);
+    }
+  }
+  if (trajectory.t.size() < least_rows) {
+    throw UnjudgedError(fmt::format("{}: {} rows; required are at least {}", name, trajectory.t.size(), least_rows));
+  }
+  return trajectory;
+}
+
 Samples thinned(const Samples& samples, std::size_t stride) {
   Samples few{{}, std::vector<std::vector<double>>(samples.components())};
   for (std::size_t i = 0; i < samples.t.size(); ++i) {

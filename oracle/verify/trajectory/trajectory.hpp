@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lubjoint/scene/trajectory_table.hpp"
+
 namespace lubjoint::verify {
 
 /// Numbers over increasing times [s].
@@ -22,6 +24,9 @@ struct Trajectory {
 /// Reads the column t and all others, or those that `known` has.
 /// @throws UnjudgedError for no column t, a field that is no finite number, times that don't increase, under five rows
 Trajectory read_trajectory(std::string_view csv, const std::string& name, const Trajectory* known = nullptr);
+
+/// A run's own table; what is not defined anywhere is no column.
+Trajectory as_trajectory(const TrajectoryTable& table, const std::string& name);
 
 /// A vector, or one number, over time.
 struct Samples {

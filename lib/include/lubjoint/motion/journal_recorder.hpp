@@ -42,7 +42,7 @@ class JournalRecorder {
   }
 
   /// An accepted step: the samples in it, and its extremes.
-  /// @param looks  into so many pieces the step is divided in the search for its extremes
+  /// @param looks  number of pieces that the step is divided into in the search for its extremes
   template <class Mode, class StateAt>
   void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, std::size_t looks) {
     for (double t = output_time(next_); t <= t_new && t < settings_.duration; t = output_time(++next_)) {

@@ -14,7 +14,7 @@ struct JournalScene {
   JournalState<double> start;  ///< ê and w at t = 0
 };
 
-/// The parts of a scene that is one.
+/// The parts of a scene that is a free journal.
 /// @throws SceneError if the scene is no free journal, naming what it has too much or too little of, or if the journal
 /// starts outside its bearing
 JournalScene journal_scene(const Scene& scene);
