@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/multibody/free_journal.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lubjoint/film/shear_extent.hpp"
-#include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/run/outcome.hpp"
 #include "lubjoint/number/vector.hpp"
 
 namespace lubjoint {
