@@ -59,7 +59,8 @@ struct ModeResult {
 
 /// Integrates a mode from (t, y) until the duration is reached, a margin is crossed, or no step can be made.
 /// Events are located by stepping to them with the same method, not on an interpolant: they are as accurate as the
-/// solution. `observe(t_old, t_new, state_at)` sees every accepted step; state_at(t) is the mode's state inside it.
+/// solution. `observe(t_old, t_new, state_at, stepped_at)` sees every accepted step; state_at(t) is the mode's state
+/// inside it on the interpolant, stepped_at(t) the same by the method's own steps.
 template <class Mode>
 class ModeRun {
  public:
@@ -114,12 +115,15 @@ class ModeRun {
       if constexpr (Mode::margin_count > 0) {
         if (const std::optional<Crossing> crossing = find_crossing()) {
           stop_at(*crossing, t, y);
-          if (t > step_.t_old) observe(step_.t_old, t, [this](double at) { return stepped_to(at); });
+          const auto stepped_at = [this](double at) { return stepped_to(at); };
+          if (t > step_.t_old) observe(step_.t_old, t, stepped_at, stepped_at);
           dt = std::max(1e-3 * (t - step_.t_old), 1e-9 * t_end);
           return {ModeEnd::event, crossing->margin};
         }
       }
-      observe(step_.t_old, t, [this](double at) { return inside(at); });
+      observe(
+          step_.t_old, t, [this](double at) { return inside(at); },
+          [this](double at) { return at < step_.t_new ? stepped_to(at) : step_.y_new; });
     }
     t = t_end;
     return {ModeEnd::duration_reached, 0};
