@@ -292,6 +292,16 @@ TEST_CASE("multibody: samples inside the long steps of extrapolation are as good
   }
 }
 
+TEST_CASE("journal: samples inside the long steps of extrapolation are as good as the steps") {
+  StressSettings settings = small_settings();
+  settings.integrators = {"bulirsch_stoer"};
+  settings.laws = {"short_dynamic"};
+  const StressCell cell = run_stress(cases_named({"journal-clearance-2mm"}), settings).front();
+  CHECK(cell.status == StressStatus::finished);
+  CHECK(cell.deviation.place.value_or(1) < 5e-6);  // five tolerances; 1.7e-4 by a quintic through a step's ends
+  CHECK(cell.deviation.rate.value_or(1) < 5e-5);   // fifty; 2.1e-3 by the quintic's derivative
+}
+
 TEST_CASE("stress: a scene without a stored reference runs and counts as unreferenced; changed rows are refused") {
   auto cases = cases_named({"journal-start-centred"});
   StressSettings settings = small_settings();

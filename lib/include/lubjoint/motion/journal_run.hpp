@@ -83,10 +83,16 @@ class JournalRun {
     for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
     const auto method = make_integrator<n>(outcome_.integrator, tolerance);
     const std::size_t looks = method->looks_inside();
+    // The quintic's error in an explicit step of higher order may be a hundred tolerances and more.
+    const bool by_steps = !is_stiff_integrator(outcome_.integrator);
     ModeSystem<Mode> system(mode, outcome_.rhs_evaluations);
     const RunResult result = EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
-                                 .run(t_, y, dt_, [&](const auto& step, const auto& state_at) {
-                                   recorder_.step(mode, step.t_old, step.t_new, state_at, looks);
+                                 .run(t_, y, dt_, [&](const auto& step, const auto& state_at, const auto& stepped_at) {
+                                   if (by_steps) {
+                                     recorder_.step(mode, step.t_old, step.t_new, state_at, stepped_at, looks);
+                                   } else {
+                                     recorder_.step(mode, step.t_old, step.t_new, state_at, looks);
+                                   }
                                    return true;
                                  });
     outcome_.jacobian_evaluations += method->counts().jacobians;

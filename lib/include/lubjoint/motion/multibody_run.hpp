@@ -43,7 +43,7 @@ class MultibodyRun {
     R dt(1e-6 * settings_.duration);
     pieces_.start(t_, y_);
     recorder_.start(t_, y_);
-    const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&) {
+    const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
       step->memory = ode_.memory();

@@ -90,14 +90,18 @@ class EventRun {
   }
 
   /// @param dt  the first step's length, then the next one's
-  /// @param observe  observe(step, state_at) sees every accepted step, and says whether to go on; state_at(t) is the
-  ///   state inside it
+  /// @param observe  observe(step, state_at, stepped_at) sees every accepted step, and says whether to go on:
+  ///   state_at(t) is the state inside it on the interpolant, stepped_at(t) the same by the method's own steps
   template <class Observer>
   RunResult run(R& t, State& y, R& dt, Observer&& observe) {
     const R t_end(settings_.duration);
     const R shortest = 8 * epsilon();
     step_.rate_new = y;  // of its size
     if (t_end - t > shortest * t_end) system_.equations().rate(y, step_.rate_new, t);
+    const auto state_at = [this](const R& at) -> const State& { return inside(at); };
+    const auto stepped_at = [this](const R& at) -> const State& {
+      return at < step_.t_new ? stepped_to(at) : step_.y_new;
+    };
     int rejections = 0;
     std::size_t at_once = 0;
     R stall_mark = t;
@@ -147,8 +151,7 @@ class EventRun {
             step_.t_new = t;
             step_.y_new = y;
             system_.equations().rate(y, step_.rate_new, t);
-            if (!observe(step_, [this](const R& at) -> const State& { return stepped_to(at); }))
-              return {RunEnd::refused, 0};
+            if (!observe(step_, stepped_at, stepped_at)) return {RunEnd::refused, 0};
           } else if (++at_once > most_at_once) {
             return {RunEnd::stuck, event->margin};
           }
@@ -165,7 +168,7 @@ class EventRun {
           step_.y_new = y;
         }
       }
-      if (!observe(step_, [this](const R& at) -> const State& { return inside(at); })) return {RunEnd::refused, 0};
+      if (!observe(step_, state_at, stepped_at)) return {RunEnd::refused, 0};
     }
     t = t_end;
     return {RunEnd::duration_reached, 0};
