@@ -55,8 +55,8 @@ std::string changed(const std::string& text, const std::string& from, const std:
   return result.replace(at, from.size(), to);
 }
 
-const Words contact_functions{"dry_contact_force", "transition_force", "seam_margins", "next_phase",
-                              "enter_phase",       "starting_memory",  "normal_speed"};
+const Words contact_functions{"dry_contact_force", "transition_shares", "seam_margins", "next_phase",
+                              "enter_phase",       "starting_memory",   "normal_speed"};
 
 }  // namespace
 
@@ -142,6 +142,20 @@ TEST_CASE("a run without a ledger enters no function of it, one without constrai
     INFO(name);
     CHECK(has(constrained, name));
     CHECK_FALSE(has(with, name));
+  }
+}
+
+TEST_CASE("a run without a half film enters no function of its jump, one with enters them") {
+  const TemporaryFolder folder;
+  const std::string text = read_text(scenes + "slider-crank.toml");
+  const std::string without = entered_by(scenes + "slider-crank.toml");
+  const std::string with =
+      entered_by(folder.write("half.toml", changed(text, "film = \"pinkus_sternlicht\"", "film = \"long_half\"")));
+  for (const std::string name :
+       {"slip_of_motion", "hold_slides", "differentiate_slides", "project_onto_slides", "::on_jump", "::margins"}) {
+    INFO(name);
+    CHECK(has(with, name));
+    CHECK_FALSE(has(without, name));
   }
 }
 

@@ -254,7 +254,7 @@ TEST_CASE("stress: where a step may change the force by a tenth, a warning says 
              Contains("no digit of velocities and forces is known") && Contains("Tolerance 1e-04 would resolve it"));
 }
 
-TEST_CASE("multibody: on a half film's jump samples have the force of sliding, and the run says that it was there") {
+TEST_CASE("multibody: on a half film's jump samples have the force of sliding, whatever the integrator") {
   // Slow impact in thin oil: the reference slides for most of its time. One side's force is off by up to 0.4 there.
   Scene scene = with_law(scene_named("impact-slow"), "long_half_eq5");
   scene.integrator = "dopri5";
@@ -267,10 +267,9 @@ TEST_CASE("multibody: on a half film's jump samples have the force of sliding, a
     const Vector2<double> off = run.samples[i + 1].joints.front().force - reference.rows[i].force;
     if (off.norm() < 5e-3 * reference.force_unit) ++near;  // what tolerances of 1e-6 do to a stiff film
   }
-  CHECK(near >= 48);  // of 50: a sample in a long step towards the jump may be taken for one on it
-  CHECK_THAT(jump_warning(scene.joints.front(), run.joints.front()), Contains("met the jump of the half film"));
-  const MultibodyTrajectory smooth = simulate_multibody(with_law(scene, "long_full"));
-  CHECK(jump_warning(scene.joints.front(), smooth.joints.front()).empty());
+  CHECK(near == reference.rows.size());
+  CHECK(!run.slides.empty());
+  CHECK(simulate_multibody(with_law(scene, "long_full")).slides.empty());
 }
 
 TEST_CASE("stop: a tolerance wider than the blend of a contact names both, and a tolerance that would do") {
@@ -291,6 +290,16 @@ TEST_CASE("multibody: samples inside the long steps of extrapolation are as good
     CHECK(cell.status == StressStatus::finished);
     CHECK(cell.deviation.rate.value_or(1) < 5e-5);  // fifty tolerances; 1e-3 by a quintic through a step's ends
   }
+}
+
+TEST_CASE("journal: samples inside the long steps of extrapolation are as good as the steps") {
+  StressSettings settings = small_settings();
+  settings.integrators = {"bulirsch_stoer"};
+  settings.laws = {"short_dynamic"};
+  const StressCell cell = run_stress(cases_named({"journal-clearance-2mm"}), settings).front();
+  CHECK(cell.status == StressStatus::finished);
+  CHECK(cell.deviation.place.value_or(1) < 5e-6);  // five tolerances; 1.7e-4 by a quintic through a step's ends
+  CHECK(cell.deviation.rate.value_or(1) < 5e-5);   // fifty; 2.1e-3 by the quintic's derivative
 }
 
 TEST_CASE("stress: a scene without a stored reference runs and counts as unreferenced; changed rows are refused") {
@@ -496,9 +505,10 @@ TEST_CASE("stop: near the wall a message prints the gap 1 - e/c, not an eccentri
   check_stop(outcome, {"eccentricity ratio 1 - 1e-12"});  // the four digits that 1 - 1e-12 keeps of its gap
 }
 
-TEST_CASE("stop: a multibody run names the half film that slides on its jump, and laws without one") {
+TEST_CASE("stress: a half film between moving parts runs to its end where its journal's spin reverses") {
   const RunOutcome outcome = outcome_of(scene_named("journal-spin-reversal"), "short_half", "dopri5");
-  check_stop(outcome, {"joint \"bearing\"", "half film", "jump", "needs a law without one"});
+  INFO(outcome.message);
+  CHECK(outcome.status == RunStatus::finished);
 }
 
 TEST_CASE("stop: reasons are counted by kind, whatever the numbers in them") {

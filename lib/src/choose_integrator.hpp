@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint::detail {
 

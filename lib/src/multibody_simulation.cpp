@@ -24,23 +24,20 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& 
   return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
 }
 
-/// The joints' memories along a run that is over, from its events: the equations keep those of its end.
+/// The joints' memories along a run that is over: the equations keep those of its end.
 class MemoryAlong {
  public:
-  MemoryAlong(MultibodyOde<double>& ode, const std::vector<ContactEvent>& events) : ode_(ode), events_(events) {
-    for (std::size_t i = events.size(); i-- > 0;) ode.memory()[events[i].joint].phase = events[i].from;
-  }
+  MemoryAlong(MultibodyOde<double>& ode, const std::vector<MemoryChange<double>>& changes)
+      : ode_(ode), changes_(changes) {}
   void go_to(double t) {
-    for (; next_ < events_.size() && events_[next_].t <= t; ++next_) {
-      const ContactEvent& event = events_[next_];
-      detail::enter_phase(ode_.system().joints()[event.joint], ode_.memory()[event.joint], event.to,
-                          event.normal_speed);
+    for (; next_ < changes_.size() && changes_[next_].t <= t; ++next_) {
+      ode_.memory()[changes_[next_].joint] = changes_[next_].memory;
     }
   }
 
  private:
   MultibodyOde<double>& ode_;
-  const std::vector<ContactEvent>& events_;
+  const std::vector<MemoryChange<double>>& changes_;
   std::size_t next_ = 0;
 };
 
@@ -56,7 +53,7 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0,
                                    scene.joints.empty()};
   Eigen::MatrixXd jacobian;
-  MemoryAlong memory(ode, pilot.events());
+  MemoryAlong memory(ode, pilot.memories());
   for (const MultibodySample& sample : pilot.recorder().samples()) {
     memory.go_to(sample.t);
     try {
@@ -96,6 +93,7 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
     if (constraint.is_driver()) result.driver_names.push_back(constraint.name);
   }
   result.events = run.events();
+  result.slides = run.slides();
   result.drift = recorder.drift();
   if (scene.energy_ledger) result.energy_residual = recorder.energy_residual();
   result.energy_scale = recorder.energy_scale();

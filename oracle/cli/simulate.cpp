@@ -67,8 +67,6 @@ void add_simulate(CLI::App& app, Action& action) {
       for (std::size_t j = 0; j < scene.joints.size(); ++j) {
         warn(scene, scene.joints[j], reports::thinnest_film(scene, j, run),
              reports::visited_model_error(scene, j, run));
-        const std::string across = reports::jump_warning(scene.joints[j], run.joints[j]);
-        if (!across.empty()) std::cerr << across << '\n';
       }
       return run.outcome.status == RunStatus::finished ? 0 : 1;
     };

@@ -27,15 +27,6 @@ bool leaves_no_digit(const Scene& scene, double thinnest) {
   return film_power * tolerance_of_places(scene) > 0.1 * thinnest;
 }
 
-std::string jump_warning(const SceneJoint& joint, const JointExtremes& extremes) {
-  if (extremes.jump_crossings == 0) return {};
-  return fmt::format(
-      "warning: {} steps met the jump of the half film in joint \"{}\": their errors are of first order and add up, "
-      "and a "
-      "force sampled there may be that of one side. A law without a jump has none of this.",
-      extremes.jump_crossings, joint.name);
-}
-
 std::string resolution_warning(const Scene& scene, const SceneJoint& joint, double thinnest) {
   const double tolerance = tolerance_of_places(scene);
   if (tolerance <= coarse_share * thinnest) return {};

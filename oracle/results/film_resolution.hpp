@@ -30,9 +30,6 @@ double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTraje
 /// @param thinnest  h, as above
 bool leaves_no_digit(const Scene& scene, double thinnest);
 
-/// Says that steps of a multibody run met the jump of a joint's half film, and how many; empty if none did.
-std::string jump_warning(const SceneJoint& joint, const JointExtremes& extremes);
-
 /// Says that the tolerance is too coarse for the film, whether it leaves a digit of forces and velocities, and which
 /// would do; empty if it is not too coarse.
 /// @param thinnest  as above

@@ -60,10 +60,7 @@ std::string summary_text(const Scene& scene, const JournalTrajectory& run) {
   }
   text += fmt::format("  extremes   eccentricity ratio {:.6f}, force {:.6g} N, film thickness {:.4g} um\n",
                       run.max_eccentricity_ratio, run.max_force, 1e6 * run.min_film_thickness);
-  for (const SlidingInterval& interval : run.sliding) {
-    text +=
-        fmt::format("  sliding    on the half film's jump from {:.6g} s to {:.6g} s\n", interval.start, interval.end);
-  }
+  for (const SlidingInterval& interval : run.sliding) text += slide_text(interval.start, interval.end);
   return text;
 }
 

@@ -25,6 +25,15 @@ std::string laws_of(const Scene& scene) {
   return laws.empty() ? no_film : laws;
 }
 
+/// From when to when a joint's half film slid [s].
+nlohmann::ordered_json slides_json(const MultibodyTrajectory& run, std::size_t joint) {
+  nlohmann::ordered_json sliding = nlohmann::ordered_json::array();
+  for (const JointSlide& slide : run.slides) {
+    if (slide.joint == joint) sliding.push_back({slide.start, slide.end});
+  }
+  return sliding;
+}
+
 }  // namespace
 
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run) {
@@ -43,7 +52,8 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                       {"max_force", run.joints[j].force.value},
                       {"t_max_force", run.joints[j].force.t},
                       {"min_film_thickness", c - run.joints[j].eccentricity.value},
-                      {"t_min_film_thickness", run.joints[j].eccentricity.t}});
+                      {"t_min_film_thickness", run.joints[j].eccentricity.t},
+                      {"sliding", slides_json(run, j)}});
     if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
   }
   const auto driver_json = [&](std::size_t d) {
@@ -94,6 +104,9 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
         last.force.x(), last.force.y(), extremes.eccentricity.value / c, 1e6 * (c - extremes.eccentricity.value),
         extremes.eccentricity.t, extremes.force.value, extremes.force.t);
     if (scene.joints[j].shear) text += loss_text(last.losses);
+    for (const JointSlide& slide : run.slides) {
+      if (slide.joint == j) text += slide_text(slide.start, slide.end);
+    }
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
     text += fmt::format("driver       {}: moment from {:.6g} N m to {:.6g} N m\n", run.driver_names[d],

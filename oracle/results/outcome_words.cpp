@@ -36,4 +36,8 @@ std::string outcome_text(const std::string& scene, const std::string& law, const
   return text;
 }
 
+std::string slide_text(double start, double end) {
+  return fmt::format("  sliding    on the half film's jump from {:.6g} s to {:.6g} s\n", start, end);
+}
+
 }  // namespace lubjoint::reports

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint::reports {
 
@@ -16,5 +16,8 @@ nlohmann::ordered_json outcome_json(const std::string& scene, const std::string&
 /// The same as lines of text.
 std::string outcome_text(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                          double wall_seconds);
+
+/// A line that says from when to when a joint's half film slid on its jump [s].
+std::string slide_text(double start, double end);
 
 }  // namespace lubjoint::reports

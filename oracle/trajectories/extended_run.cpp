@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
-#include "lubjoint/motion/mode_run.hpp"
 #include "lubjoint/motion/multibody_run.hpp"
 #include "lubjoint/multibody/assembly.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/ode/explicit_integrators.hpp"
 #include "lubjoint/ode/radau_integrator.hpp"
 #include "lubjoint/scene/journal_scene.hpp"

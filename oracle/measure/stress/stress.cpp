@@ -34,7 +34,6 @@ struct StressRun {
   std::vector<StressSample> samples;
   double seconds = 0;
   double thinnest_film = 1;  ///< in clearances
-  std::size_t jumps = 0;     ///< steps across a half film's jump
   std::string warning;       ///< of what its tolerance leaves open
   std::string fault;         ///< what no run may do; empty if it did not
 };
@@ -81,8 +80,6 @@ StressRun run_multibody(const Scene& scene) {
   run.seconds = trajectory.wall_seconds;
   run.thinnest_film = thinnest_film(scene, 0, trajectory);
   const SceneJoint& joint = scene.joints.front();
-  run.jumps = trajectory.joints.front().jump_crossings;
-  run.warning = jump_warning(joint, trajectory.joints.front());
   for (const MultibodySample& sample : trajectory.samples) {
     const JointSample& at = sample.joints.front();
     const Vector2<double> velocity =
@@ -134,7 +131,6 @@ StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const Stres
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
-  accuracy.jumps = run.jumps;
   if (is_free_journal(scene)) {
     const double both = scene.run.relative_tolerance + scene.run.absolute_tolerance;
     accuracy.tolerance = std::sqrt(4.0) * std::max(both, tightest_tolerance);

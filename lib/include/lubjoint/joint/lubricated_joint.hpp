@@ -6,6 +6,13 @@
 
 namespace lubjoint {
 
+/// What a half film can do on its jump, at a = 0, to a journal on a line through the bearing's centre.
+template <class T>
+struct JumpForce {
+  T along;  ///< its force along the line [N], the same from either side
+  T reach;  ///< X, its tangential force on the side a > 0; on the other −X. Filippov's force is one in between [N]
+};
+
 /// One law, one bearing, one oil. R is the scalar of the parameters; the motion may carry derivatives.
 template <FilmLaw Law, class R>
 class LubricatedJoint {
@@ -34,6 +41,18 @@ class LubricatedJoint {
       return detail::polar_law_in_plane<Law>(polar_view(state), side);
     };
     return scaled(detail::in_range_of_rates(film, on_side));
+  }
+
+  /// The half film at ê = ρn and u = βn: there a = 0. ρ < 0 is a journal beyond the centre; smooth across ρ = 0.
+  /// @throws FilmDomainError where |ρ| ≥ 1
+  template <class T>
+  requires PolarLaw<Law> JumpForce<T> on_jump(const T& rho, const T& beta)
+  const {
+    const bool beyond = value_of(rho) < 0;
+    const PolarFilmState<T> state(beyond ? T(-rho) : rho, T(0), beyond ? T(-beta) : beta);
+    const PolarForce<T> ratio = Law::force_ratio(state, HalfFilmSide::converging);
+    // Beyond the centre both components change sign seen along n; the reach belongs to the side, whatever the line.
+    return {T(scale_ * (beyond ? T(-ratio.radial) : ratio.radial)), T(scale_ * ratio.tangential)};
   }
 
  private:

@@ -39,7 +39,9 @@ Vector2<T> touching_journal_force(const Bearing<RealOf<T>>& bearing, const Lubri
   const Vector2<T> film = film_force<Law>(wide, oil, film_state(motion, wide.clearance()));
   if (phase == ContactPhase::film) return film;
   const Vector2<T> dry = dry_contact_force(motion, bearing, surface, impact_speed).force;
-  return transition_force<T>(distance, bearing.clearance(), tolerances, film, dry);
+  const TransitionShares<T> share = transition_shares<T>(distance, bearing.clearance(), tolerances);
+  return Vector2<T>(T(share.film * film.x() + share.contact * dry.x()),
+                    T(share.film * film.y() + share.contact * dry.y()));
 }
 
 }  // namespace lubjoint

@@ -43,14 +43,20 @@ ContactPhase contact_phase(const R& distance, const R& clearance, const Transiti
   return distance > clearance + tolerances.e0 ? ContactPhase::dry : ContactPhase::blend;
 }
 
-/// Blend of two forces: ((c + e₀ − |e|) F_film + (|e| − c) F_dry)/e₀, where c ≤ |e| ≤ c + e₀.
+/// What film and contact count for in the blend; together 1.
+template <class T>
+struct TransitionShares {
+  T film;     ///< (c + e₀ − |e|)/e₀
+  T contact;  ///< (|e| − c)/e₀
+};
+
+/// Shares of film and contact in F = ((c + e₀ − |e|) F_film + (|e| − c) F_dry)/e₀, where c ≤ |e| ≤ c + e₀.
 /// Source: Flores et al. (2009), eq. 20.
 template <class T>
-Vector2<T> transition_force(const T& distance, const RealOf<T>& clearance,
-                            const TransitionTolerances<RealOf<T>>& tolerances, const Vector2<T>& film,
-                            const Vector2<T>& dry) {
-  const T weight = (distance - clearance) / tolerances.e0;
-  return Vector2<T>(T((1 - weight) * film.x() + weight * dry.x()), T((1 - weight) * film.y() + weight * dry.y()));
+TransitionShares<T> transition_shares(const T& distance, const RealOf<T>& clearance,
+                                      const TransitionTolerances<RealOf<T>>& tolerances) {
+  const T contact = (distance - clearance) / tolerances.e0;
+  return {T(1 - contact), contact};
 }
 
 }  // namespace lubjoint

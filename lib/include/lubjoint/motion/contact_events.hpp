@@ -59,7 +59,10 @@ JointMemory<R> starting_memory(const JointElement<R>& joint, const JournalMotion
   } else if (distance > c) {
     phase = ContactPhase::dry;
   }
-  return {phase, joint.contact->min_impact_speed};
+  JointMemory<R> memory;
+  memory.phase = phase;
+  memory.impact_speed = joint.contact->min_impact_speed;
+  return memory;
 }
 
 /// The joint's memory once it has crossed into another phase. A journal that leaves the film hits the wall: its speed

@@ -95,7 +95,7 @@ class SlidingMode {
   template <class T>
   void rate(const std::array<T, 2>& y, std::array<T, 2>& dydt, double t) const {
     const double spin = journal_.drive().mean_spin();
-    const T film = radial_force(y);
+    const T film = on_jump(y).along;
     const double load = dot(journal_.drive().load, line_at(t));
     dydt[0] = y[1];
     dydt[1] = spin * spin * y[0] + (film + load) / journal_.inertia();
@@ -117,7 +117,7 @@ class SlidingMode {
   /// On the journal [N].
   Vector2<double> force(double t, const std::array<double, 2>& y) const {
     const Vector2<double> n = line_at(t);
-    return Vector2<double>(radial_force(y) * n + tangential_force(t, y) * perpendicular(n));
+    return Vector2<double>(on_jump(y).along * n + tangential_force(t, y) * perpendicular(n));
   }
 
   /// Φ, the tangential force that keeps a = 0 [N].
@@ -127,9 +127,7 @@ class SlidingMode {
   }
 
   /// X, the half film's tangential force on the converging side of a = 0 [N], along n⊥.
-  double tangential_reach(const std::array<double, 2>& y) const {
-    return journal_.joint().force_scale() * ratio(y).tangential;
-  }
+  double tangential_reach(const std::array<double, 2>& y) const { return on_jump(y).reach; }
 
   /// X − Φ and X + Φ, over the load that the drive puts on the journal.
   std::array<double, 2> margins(double t, const std::array<double, 2>& y) const {
@@ -147,20 +145,9 @@ class SlidingMode {
   }
 
  private:
-  /// The law at a = 0 on the converging side, in the frame of n: ρ < 0 is the journal beyond the centre.
   template <class T>
-  PolarForce<T> ratio(const std::array<T, 2>& y) const {
-    const bool beyond = value_of(y[0]) < 0;
-    const T epsilon = beyond ? T(-y[0]) : y[0];
-    const T b = beyond ? T(-y[1]) : y[1];
-    const PolarForce<T> f = Law::force_ratio(PolarFilmState<T>(epsilon, T(0), b), HalfFilmSide::converging);
-    // Seen along n both components change sign beyond the centre; the reach X belongs to either sign of its side.
-    return {beyond ? T(-f.radial) : f.radial, f.tangential};
-  }
-
-  template <class T>
-  T radial_force(const std::array<T, 2>& y) const {
-    return T(journal_.joint().force_scale() * ratio(y).radial);
+  JumpForce<T> on_jump(const std::array<T, 2>& y) const {
+    return journal_.joint().on_jump(y[0], y[1]);
   }
 
   const FreeJournal<Law>& journal_;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/multibody/free_journal.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
 
@@ -41,12 +41,21 @@ class JournalRecorder {
     consider(mode, t, y);
   }
 
-  /// An accepted step: the samples in it, and its extremes.
-  /// @param looks  number of pieces that the step is divided into in the search for its extremes
+  /// An accepted step whose inside is as good as its end.
   template <class Mode, class StateAt>
   void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, std::size_t looks) {
+    step(mode, t_old, t_new, state_at, state_at, looks);
+  }
+
+  /// An accepted step: the samples in it, and its extremes.
+  /// @param state_at   the state inside the step, to look for extremes by
+  /// @param sample_at  the same, as good as the step's end
+  /// @param looks  number of pieces that the step is divided into in the search for its extremes
+  template <class Mode, class StateAt, class SampleAt>
+  void step(const Mode& mode, double t_old, double t_new, const StateAt& state_at, const SampleAt& sample_at,
+            std::size_t looks) {
     for (double t = output_time(next_); t <= t_new && t < settings_.duration; t = output_time(++next_)) {
-      add(mode, t, state_at(t));
+      add(mode, t, sample_at(t));
     }
     const int pieces = static_cast<int>(std::min<std::size_t>(looks, max_pieces));
     std::array<double, max_pieces + 1> ratio{};

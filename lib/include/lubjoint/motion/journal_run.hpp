@@ -6,7 +6,7 @@
 
 #include "lubjoint/motion/film_modes.hpp"
 #include "lubjoint/motion/journal_recorder.hpp"
-#include "lubjoint/motion/mode_run.hpp"
+#include "lubjoint/motion/mode_system.hpp"
 #include "lubjoint/motion/stop_words.hpp"
 #include "lubjoint/ode/integrators.hpp"
 
@@ -15,16 +15,16 @@ namespace lubjoint {
 namespace detail {
 
 /// Message of a run that could not go on: where it was, and what to change.
-inline std::string stop_message(ModeEnd end, const std::string& joint, double t, const JournalState<double>& y,
+inline std::string stop_message(RunEnd end, const std::string& joint, double t, const JournalState<double>& y,
                                 const RunSettings& settings, std::string_view method) {
   const std::string where = "stopped at t = " + number(t) + " s: joint \"" + joint + "\" is at eccentricity ratio " +
                             eccentricity_words({y[0], y[1]});
-  if (end == ModeEnd::step_limit) {
+  if (end == RunEnd::step_limit) {
     return where + "; " + step_limit_words(settings.max_steps, is_stiff_integrator(method), film_gap({y[0], y[1]}));
   }
   const std::string remedy =
       "the film can't carry this load in double precision; raise the viscosity or lower the load or the clearance";
-  if (end == ModeEnd::stalled) {
+  if (end == RunEnd::stalled) {
     return where + "; " + stall_words() +
            (is_stiff_integrator(method) ? remedy : "radau_iia5 needs far fewer where the film is stiff");
   }
@@ -75,7 +75,7 @@ class JournalRun {
   enum class Phase { converging, mirrored, sliding };
 
   template <class Mode>
-  ModeResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
+  RunResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
     const double position = settings_.absolute_tolerance;
     const double velocity = position * detail::rate_scale(journal_);
     constexpr std::size_t n = Mode::dimension;
@@ -83,18 +83,26 @@ class JournalRun {
     for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
     const auto method = make_integrator<n>(outcome_.integrator, tolerance);
     const std::size_t looks = method->looks_inside();
-    const ModeResult result = ModeRun<Mode>(mode, *method, settings_, outcome_)
-                                  .run(t_, y, dt_, [&](double a, double b, const auto& state_at) {
-                                    recorder_.step(mode, a, b, state_at, looks);
-                                  });
+    // The quintic's error in an explicit step of higher order may be a hundred tolerances and more.
+    const bool by_steps = !is_stiff_integrator(outcome_.integrator);
+    ModeSystem<Mode> system(mode, outcome_.rhs_evaluations);
+    const RunResult result = EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
+                                 .run(t_, y, dt_, [&](const auto& step, const auto& state_at, const auto& stepped_at) {
+                                   if (by_steps) {
+                                     recorder_.step(mode, step.t_old, step.t_new, state_at, stepped_at, looks);
+                                   } else {
+                                     recorder_.step(mode, step.t_old, step.t_new, state_at, looks);
+                                   }
+                                   return true;
+                                 });
     outcome_.jacobian_evaluations += method->counts().jacobians;
     outcome_.factorisations += method->counts().factorisations;
     return result;
   }
 
   template <class Mode, class State>
-  void conclude(const Mode& mode, const ModeResult& result, const State& y) {
-    if (result.end != ModeEnd::duration_reached) {
+  void conclude(const Mode& mode, const RunResult& result, const State& y) {
+    if (result.end != RunEnd::duration_reached) {
       outcome_.status = RunStatus::stopped;
       outcome_.message =
           detail::stop_message(result.end, joint_name_, t_, mode.journal(t_, y), settings_, outcome_.integrator);
@@ -156,7 +164,7 @@ class JournalRun {
     double last_event = -1;
     int events_without_progress = 0;
     while (true) {
-      ModeResult result;
+      RunResult result;
       if (phase == Phase::sliding) {
         const OnTheJump here = on_the_jump();
         const bool at_rest = here.t > t_;
@@ -167,7 +175,7 @@ class JournalRun {
         result = integrate(mode, y);
         recorder_.slid(t_start, t_);
         y_ = mode.journal(t_, y);
-        if (result.end != ModeEnd::event) return conclude(mode, result, y);
+        if (result.end != RunEnd::handed_over) return conclude(mode, result, y);
         const bool beyond = y[0] < 0;
         phase = (result.margin == 0) != beyond ? Phase::converging : Phase::mirrored;
       } else {
@@ -175,9 +183,9 @@ class JournalRun {
         const SidedMode<Law> mode(journal_, side);
         if (!std::exchange(started, true)) recorder_.start(mode, t_, y_);
         result = integrate(mode, y_);
-        if (result.end != ModeEnd::event) return conclude(mode, result, y_);
+        if (result.end != RunEnd::handed_over) return conclude(mode, result, y_);
         // So near the wall that on its line of centres the journal is at it, to rounding.
-        if (!(std::abs(on_the_jump().rho) < 1)) return conclude(mode, {ModeEnd::step_too_short, 0}, y_);
+        if (!(std::abs(on_the_jump().rho) < 1)) return conclude(mode, {RunEnd::step_too_short, 0}, y_);
         const Phase next = decide_on_the_jump();
         const Phase other = phase == Phase::converging ? Phase::mirrored : Phase::converging;
         phase = next == Phase::sliding ? next : other;

@@ -38,7 +38,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? ledger_terms : 0); }
   std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
 
-  /// Memories of the joints; empty where nothing can touch.
+  /// Memories of the joints; empty where nothing can touch and no film jumps.
   std::vector<JointMemory<R>>& memory() { return memory_; }
   const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
 
@@ -127,8 +127,12 @@ MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
       with_ledger_(with_ledger),
       real_(system.template workspace<R>()),
       dual_(system.template workspace<Seeded>()) {
-  for (const JointElement<R>& joint : system.joints()) has_contact_ = has_contact_ || joint.has_contact();
-  if (has_contact_) memory_.resize(system.joints().size());
+  bool jumps = false;
+  for (const JointElement<R>& joint : system.joints()) {
+    has_contact_ = has_contact_ || joint.has_contact();
+    jumps = jumps || joint.has_half_film();
+  }
+  if (has_contact_ || jumps) memory_.resize(system.joints().size());
 }
 
 template <class R>

@@ -7,11 +7,10 @@
 #include <memory>
 #include <optional>
 
-#include "lubjoint/motion/half_film_slide.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/motion/multibody_step.hpp"
-#include "lubjoint/motion/outcome.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
 
@@ -97,11 +96,7 @@ class MultibodyRecorder {
  public:
   /// @param pieces  into so many a step is divided in the search for its extremes
   MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces)
-      : ode_(ode),
-        settings_(settings),
-        pieces_(pieces),
-        trackers_(2 * ode.system().joints().size()),
-        jumps_(ode.system().joints().size()) {
+      : ode_(ode), settings_(settings), pieces_(pieces), trackers_(2 * ode.system().joints().size()) {
     for (std::size_t c = 0; c < ode.system().constraints().size(); ++c) {
       if (ode.system().constraints()[c].is_driver()) drivers_.push_back(c);
     }
@@ -111,8 +106,7 @@ class MultibodyRecorder {
 
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
-    for (std::size_t j = 0; j < jumps_.size(); ++j) jumps_[j].slip = slip_at(t, y, j);
-    add_sample(t, y, ode_.memory(), R(0));
+    add_sample(t, y, ode_.memory());
     next_ = 1;
     const MechanicalEnergy<R> energy = ode_.energy(y);
     start_energy_ = energy.kinetic + energy.potential;
@@ -133,10 +127,8 @@ class MultibodyRecorder {
       } else {
         step->state_at(R(t), n, state_);
       }
-      add_sample(R(t), state_, step->memory, R(step->t_new - step->t_old));
+      add_sample(R(t), state_, step->memory);
     }
-    note_jumps(*step);
-    last_length_ = step->t_new - step->t_old;
     for (std::size_t i = 0; i <= pieces_; ++i) {
       const R t =
           i == pieces_
@@ -159,12 +151,12 @@ class MultibodyRecorder {
   /// The last sample, and the peaks refined.
   template <class ByMethod>
   void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
-    if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory(), last_length_);
+    if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
     std::size_t k = 0;
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
       const Peak eccentricity = peak(k++, by_method);
       const Peak force = peak(k++, by_method);
-      joint_extremes_.push_back({eccentricity, force, jumps_[j].crossings});
+      joint_extremes_.push_back({eccentricity, force});
     }
     for (std::size_t d = 0; d < drivers_.size(); ++d) {
       const Peak high = peak(k++, by_method);
@@ -219,10 +211,7 @@ class MultibodyRecorder {
         [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
   }
 
-  /// Where a half film slides on its jump: with the force that keeps it there.
-  /// @param step_length  of the step that the state lies in; 0: none
-  void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory,
-                  const R& step_length) {
+  void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
     const SystemWorkspace<R>& w = ode_.at(t, y, memory);
     const auto narrow = [](const R& value) { return static_cast<double>(value); };
     MultibodySample sample;
@@ -233,71 +222,12 @@ class MultibodyRecorder {
       sample.joints.push_back(detail::joint_sample(ode_.system().joints()[j], w.joints[j], at_j));
     }
     for (const std::size_t c : drivers_) sample.driving_moments.push_back(moment(w, c));
-    add_slides(t, y, memory, step_length, sample);
     if (ode_.with_ledger()) {
       const MechanicalEnergy<R> energy = ode_.energy(y);
       sample.ledger = {narrow(energy.kinetic), narrow(energy.potential)};
       for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) sample.ledger.push_back(narrow(y[i]));
     }
     samples_.push_back(std::move(sample));
-  }
-
-  /// What is known of a half film's jump.
-  struct Jump {
-    R slip{};                     ///< u_t at the end of the last step
-    std::size_t crossings = 0;    ///< steps in which it changed sign, or that ended within one more of that
-    std::size_t steps_since = 0;  ///< the last of these
-    R step_length{};              ///< of the last of these [s]
-  };
-  /// So many steps after a crossing a method that starts anew there has grown to where it meets the jump again.
-  static constexpr std::size_t soon = 30;
-
-  R slip_at(const R& t, const std::vector<R>& y, std::size_t j) {
-    if (!detail::has_half_film(ode_.system().joints()[j])) return R(0);
-    ode_.system().evaluate_kinematics(t, y.data(), ode_.workspace());
-    const JournalMotion<R> motion = ode_.system().journal_motion(j, ode_.workspace());
-    if (!(norm(motion.eccentricity) > 0) || detail::is_on_jump(motion)) return R(0);
-    return detail::slip_velocity(motion);
-  }
-
-  void note_jumps(const MultibodyStep<R>& step) {
-    for (std::size_t j = 0; j < jumps_.size(); ++j) {
-      if (!detail::has_half_film(ode_.system().joints()[j])) continue;
-      Jump& jump = jumps_[j];
-      const R before = jump.slip;
-      jump.slip = slip_at(step.t_new, step.y_new, j);
-      ++jump.steps_since;
-      const bool dry = !step.memory.empty() && step.memory[j].phase == ContactPhase::dry;
-      // Crossed, or as near to it as would cross in one more step: an error estimate that sees the jump rejects steps
-      // that do, and the method comes up to it from one side again and again.
-      const R next = jump.slip + (jump.slip - before);
-      if (dry || (jump.slip != 0 && before * jump.slip > 0 && next * jump.slip > 0) || before == jump.slip) continue;
-      ++jump.crossings;
-      jump.steps_since = 0;
-      jump.step_length = step.t_new - step.t_old;
-    }
-  }
-
-  /// Puts the sliding forces in; the drivers' moments follow the joints' forces linearly.
-  void add_slides(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory, const R& step_length,
-                  MultibodySample& sample) {
-    const std::vector<double> plain = sample.driving_moments;
-    for (std::size_t j = 0; j < sample.joints.size(); ++j) {
-      if (jumps_[j].crossings == 0 || jumps_[j].steps_since > soon) continue;
-      const auto slide =
-          detail::half_film_slide(ode_, t, y, memory, j, std::max<R>(step_length, jumps_[j].step_length));
-      if (!slide) continue;
-      Vector2<double> force(0, 0);
-      for (const bool up : {true, false}) {
-        const double share = static_cast<double>(up ? slide->share : R(1 - slide->share));
-        const SystemWorkspace<R>& w = ode_.at(t, up ? slide->up : slide->down, memory);
-        force += share * w.joints[j].total().template cast<double>();
-        for (std::size_t d = 0; d < drivers_.size(); ++d) {
-          sample.driving_moments[d] += share * (moment(w, drivers_[d]) - plain[d]);
-        }
-      }
-      sample.joints[j].force = force;
-    }
   }
 
   void note_drift(const SystemWorkspace<R>& w, const std::vector<R>& y) {
@@ -323,8 +253,6 @@ class MultibodyRecorder {
   std::vector<detail::PeakTracker<R>> trackers_;
   std::vector<std::size_t> drivers_;
   std::size_t next_ = 0;
-  R last_length_{};
-  std::vector<Jump> jumps_;
   std::vector<MultibodySample> samples_;
   std::vector<R> state_, exact_;
   std::vector<double> values_;

@@ -62,8 +62,13 @@ struct Peak {
 struct JointExtremes {
   Peak eccentricity{0, 0};  ///< |e| [m]
   Peak force{0, 0};         ///< |F| [N]
-  /// Steps that crossed the jump of a half film at a = 0, or would have with one more like them.
-  std::size_t jump_crossings = 0;
+};
+
+/// An interval in which a half film slid on its jump, at a = 0.
+struct JointSlide {
+  std::size_t joint;  ///< in the scene's order
+  double start;       ///< [s]
+  double end;         ///< [s]
 };
 
 /// Peaks of a driver's moment on its second body [N m].

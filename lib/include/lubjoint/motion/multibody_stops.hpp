@@ -5,20 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "lubjoint/motion/half_film_slide.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/motion/stop_words.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint::detail {
-
-inline constexpr const char* slides_on_jump = "a half film that slides on its jump needs a law without one";
-
-template <class R>
-bool has_half_film(const PlanarSystem<R>& system) {
-  return std::any_of(system.joints().begin(), system.joints().end(),
-                     [](const JointElement<R>& joint) { return has_half_film(joint); });
-}
 
 /// A tolerance wider than the blend of film and contact says nothing of the share that the contact has, and so of how a
 /// journal within a tolerance of its wall comes back; empty if it is not, or the journal is further off.
@@ -72,14 +63,10 @@ template <class R>
 std::string step_limit_reason(MultibodyOde<R>& ode, const R& t, const std::vector<R>& y, std::size_t limit,
                               bool implicit) {
   const NearestJoint nearest = nearest_joint(ode, t, y);
-  if (has_half_film(ode.system())) return nearest.words + step_limit_reached(limit) + slides_on_jump;
   return nearest.words + step_limit_words(limit, implicit, nearest.gap);
 }
 
-template <class R>
-std::string stall_reason(const PlanarSystem<R>& system) {
-  return stall_words() + (has_half_film(system) ? slides_on_jump : "use radau_iia5, or a looser tolerance");
-}
+inline std::string stall_reason() { return stall_words() + "use radau_iia5, or a looser tolerance"; }
 
 template <class R>
 std::string no_step_reason(MultibodyOde<R>& ode, const R& t, const std::vector<R>& y) {

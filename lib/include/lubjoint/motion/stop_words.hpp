@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/number/vector.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint::detail {
 

@@ -181,4 +181,40 @@ R project_onto_constraints(const PlanarSystem<R>& system, const R& t, std::vecto
   return violation;
 }
 
+/// Puts journals that slide back onto their lines, in place and in velocity, along what their tangential forces can do:
+/// no other constraint is moved.
+/// @param tolerance  nothing is done while every journal is within this many clearances of its line, and its velocity
+///   across within as many times the rates of its motion along
+/// @returns whether the state was changed
+/// @throws FilmDomainError, SingularConstraints
+template <class R>
+bool project_onto_slides(const PlanarSystem<R>& system, const R& t, std::vector<R>& y,
+                         const std::vector<JointMemory<R>>& memory, const R& tolerance, SystemWorkspace<R>& w) {
+  using std::abs;
+  system.evaluate(t, y.data(), memory, w);
+  if (w.slides.empty()) return false;
+  bool within = true;
+  for (const FilmSlide<R>& slide : w.slides) {
+    const R allowed = tolerance * system.joints()[slide.joint].bearing.clearance();
+    const JournalMotion<R>& motion = w.joints[slide.joint].kinematics.motion;
+    const R turning = abs(motion.bearing_spin + motion.journal_spin) / 2;
+    within = within && abs(slide.place.across) <= allowed &&
+             abs(system.slide_rate(slide, w)) <= allowed * turning + tolerance * abs(slide.place.rate);
+  }
+  if (within) return false;
+  const auto count = static_cast<Eigen::Index>(w.slides.size());
+  detail::DenseVector<R> open(count);
+  const auto move = [&](R* x) {
+    const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.lu.solve(open);
+    for (std::size_t i = 0; i < system.coordinates(); ++i) x[i] -= by(static_cast<Eigen::Index>(i));
+  };
+  for (Eigen::Index k = 0; k < count; ++k) open(k) = w.slides[static_cast<std::size_t>(k)].place.across;
+  move(y.data());
+  system.place(y.data(), w);
+  system.evaluate_slides(memory, w);
+  for (Eigen::Index k = 0; k < count; ++k) open(k) = system.slide_rate(w.slides[static_cast<std::size_t>(k)], w);
+  move(y.data() + system.coordinates());
+  return true;
+}
+
 }  // namespace lubjoint

@@ -1,7 +1,9 @@
 /// A joint with clearance as a force element: film, dry contact, or one blended into the other.
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -43,11 +45,35 @@ struct JointContact {
   R min_impact_speed;                                 ///< least δ̇₀ [m/s]
 };
 
-/// The memory of a joint with contact: which piece of its force holds, and δ̇₀.
+/// Which side of its jump at a = 0 a half film is on.
+enum class FilmSide {
+  of_slip,     ///< whatever the sign of a says: a state by itself, and a law without a jump
+  converging,  ///< a > 0, continued smoothly beyond a = 0
+  mirrored,    ///< a < 0, likewise
+  sliding      ///< a = 0, by a tangential force inside the jump (Filippov)
+};
+
+/// The memory of a joint: which piece of its force holds, and what that piece needs to know.
 template <class R>
 struct JointMemory {
-  ContactPhase phase = ContactPhase::film;  ///< the piece
+  ContactPhase phase = ContactPhase::film;  ///< of film and contact
   R impact_speed = R(1);                    ///< δ̇₀, at which e = c was last crossed outwards [m/s]
+  FilmSide side = FilmSide::of_slip;        ///< of a half film
+  Vector2<R> line{R(1), R(0)};              ///< n of a journal that slides, where ½(φ_i + φ_j) = line_angle
+  R line_angle{0};                          ///< [rad]
+};
+
+/// A journal on the line along which it slides. a = 0 is e × u = 0 with u = ė − ω̄ e⊥: in the frame that turns with the
+/// mean spin ω̄ = ½(ω_i + ω_j) the journal moves along its line of centres, which so is fixed in that frame. As ω̄ is the
+/// rate of ½(φ_i + φ_j), the line's direction n is a function of the coordinates, and a = 0 a constraint on places:
+///   n⊥·e = 0,   n = A(½(φ_i + φ_j) − line_angle) line;
+/// no division by |e|, so that a slide may begin at the centre.
+template <class T>
+struct SlidePlace {
+  Vector2<T> line;  ///< n
+  T along;          ///< n·e [m]
+  T across;         ///< n⊥·e, 0 but for drift [m]
+  T rate;           ///< n·(ė − ω̄ e⊥) [m/s]
 };
 
 /// What a joint does to its journal, film and contact apart.
@@ -113,7 +139,13 @@ struct JointElement {
   /// None: no friction torque. A joint with shear has a film.
   std::optional<JointShear<R>> shear = std::nullopt;
 
-  bool has_contact() const { return contact.has_value(); }  ///< does it need events?
+  bool has_contact() const { return contact.has_value(); }  ///< may it touch?
+
+  /// Does its force jump where a changes sign?
+  bool has_half_film() const {
+    const auto jumps = []<class Law>(const LubricatedJoint<Law, R>&) { return PolarLaw<Law>; };
+    return film && std::visit(jumps, *film);
+  }
 
   /// Where the journal is, seen from the bearing.
   template <class T>
@@ -129,12 +161,18 @@ struct JointElement {
     JointForce<T> result{
         kinematics(bearing_body, journal_body), Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
     const JournalMotion<T>& motion = result.kinematics.motion;
+    const auto of_film = [&] {
+      if (memory.side != FilmSide::sliding) return film_force(motion, memory.side);
+      const SlidePlace<T> place = slide_place(bearing_body, journal_body, motion, memory);
+      const T along = jump_force(place).along;
+      return Vector2<T>(T(along * place.line.x()), T(along * place.line.y()));
+    };
     if (!contact) {
-      result.film = film_force(motion);
+      result.film = of_film();
       return result;
     }
     if (memory.phase == ContactPhase::film) {
-      if (film) result.film = film_force(motion);
+      if (film) result.film = of_film();
       return result;
     }
     const ContactForce<T> dry = dry_contact_force(motion, bearing, contact->surface, memory.impact_speed);
@@ -142,16 +180,50 @@ struct JointElement {
       result.contact = dry;
       return result;
     }
-    // The two shares of eq. 20, kept apart: the ledger books them apart.
-    const Vector2<T> zero(T(0), T(0));
-    const T distance = norm(motion.eccentricity);
-    const auto share = [&](const Vector2<T>& a, const Vector2<T>& b) {
-      return transition_force(distance, bearing.clearance(), *contact->transition, a, b);
-    };
-    result.film = share(film_force(motion), zero);
-    result.contact.force = share(zero, dry.force);
-    result.contact.couple = (distance - bearing.clearance()) / contact->transition->e0 * dry.couple;
+    // The two parts of eq. 20, kept apart: the ledger books them apart.
+    const TransitionShares<T> share = shares_at(motion);
+    const Vector2<T> oil = of_film();
+    result.film = Vector2<T>(T(share.film * oil.x()), T(share.film * oil.y()));
+    result.contact.force = Vector2<T>(T(share.contact * dry.force.x()), T(share.contact * dry.force.y()));
+    result.contact.couple = share.contact * dry.couple;
     return result;
+  }
+
+  /// The journal seen along the line that its memory names.
+  template <class T>
+  SlidePlace<T> slide_place(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body,
+                            const JournalMotion<T>& motion, const JointMemory<R>& memory) const {
+    using std::cos;
+    using std::sin;
+    const T turned = (bearing_body.angle + journal_body.angle) / 2 - memory.line_angle;
+    const T c = cos(turned);
+    const T s = sin(turned);
+    const Vector2<T> n(T(c * memory.line.x() - s * memory.line.y()), T(s * memory.line.x() + c * memory.line.y()));
+    const T across = cross(n, motion.eccentricity);
+    const T mean_spin = (motion.bearing_spin + motion.journal_spin) / 2;
+    return {n, dot(n, motion.eccentricity), across, T(dot(n, motion.velocity) + mean_spin * across)};
+  }
+
+  /// What the half film of a journal that slides does, film alone. Needs a half film.
+  /// @throws FilmDomainError where there is no film
+  template <class T>
+  JumpForce<T> jump_force(const SlidePlace<T>& place) const {
+    return std::visit(
+        [&]<class Law>(const LubricatedJoint<Law, R>& law) -> JumpForce<T> {
+          if constexpr (PolarLaw<Law>) {
+            const R& clearance = law.bearing().clearance();
+            return law.on_jump(T(place.along / clearance), T(place.rate / clearance));
+          } else {
+            throw std::logic_error("a law without a jump has no journal that slides on it");
+          }
+        },
+        *film);
+  }
+
+  /// The film's share in the force of a phase in which it has one: 1, or less in the blend of eq. 20.
+  template <class T>
+  T film_share(const JournalMotion<T>& motion, const JointMemory<R>& memory) const {
+    return contact && memory.phase == ContactPhase::blend ? shares_at(motion).film : T(1);
   }
 
   /// T_J = −T_C − ½ e×F on the journal about its centre [N m], T_C and the film's force F times the film's share in
@@ -164,9 +236,7 @@ struct JointElement {
     const JournalMotion<T>& motion = force.kinematics.motion;
     const T rate = shear->torque_scale * couette_integral(sheared_film(motion), shear->gap);
     T couette = rate * (motion.journal_spin - motion.bearing_spin);
-    if (contact && memory.phase == ContactPhase::blend) {
-      couette = couette * (1 - (norm(motion.eccentricity) - bearing.clearance()) / contact->transition->e0);
-    }
+    if (contact && memory.phase == ContactPhase::blend) couette = couette * shares_at(motion).film;
     return T(-couette - cross(motion.eccentricity, force.film) / 2);
   }
 
@@ -195,8 +265,24 @@ struct JointElement {
   }
 
   template <class T>
-  Vector2<T> film_force(const JournalMotion<T>& motion) const {
-    return std::visit([&](const auto& law) { return law.force(film_state(motion, law.bearing().clearance())); }, *film);
+  TransitionShares<T> shares_at(const JournalMotion<T>& motion) const {
+    return transition_shares<T>(norm(motion.eccentricity), bearing.clearance(), *contact->transition);
+  }
+
+  /// @param side  of_slip, converging or mirrored
+  template <class T>
+  Vector2<T> film_force(const JournalMotion<T>& motion, FilmSide side) const {
+    return std::visit(
+        [&]<class Law>(const LubricatedJoint<Law, R>& law) {
+          const FilmState<T> state = film_state(motion, law.bearing().clearance());
+          if constexpr (PolarLaw<Law>) {
+            if (side != FilmSide::of_slip) {
+              return law.force(state, side == FilmSide::converging ? HalfFilmSide::converging : HalfFilmSide::mirrored);
+            }
+          }
+          return law.force(state);
+        },
+        *film);
   }
 };
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lubjoint/film/shear_extent.hpp"
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/multibody/constraint.hpp"
 #include "lubjoint/number/vector.hpp"
+#include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
 

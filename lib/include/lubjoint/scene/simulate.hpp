@@ -7,8 +7,8 @@
 
 #include "lubjoint/motion/journal_recorder.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
-#include "lubjoint/motion/outcome.hpp"
 #include "lubjoint/multibody/start_correction.hpp"
+#include "lubjoint/run/outcome.hpp"
 #include "lubjoint/scene/scene.hpp"
 
 namespace lubjoint {
@@ -35,6 +35,7 @@ struct MultibodyTrajectory {
   std::vector<std::string> driver_names;  ///< in the scene's order
   std::vector<DriverExtremes> drivers;    ///< their moments, in the same order
   std::vector<ContactEvent> events;       ///< when a journal met or left its wall
+  std::vector<JointSlide> slides;         ///< when half films slid along a = 0
   ConstraintDrift drift;                  ///< how far the constraints were off
   std::optional<double> energy_residual;  ///< largest |E − E₀ − work| at the end of a step [J]
   double energy_scale = 0;                ///< largest kinetic energy or work [J]

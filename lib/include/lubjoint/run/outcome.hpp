@@ -24,7 +24,7 @@ struct RunOutcome {
   std::size_t rhs_evaluations = 0;  ///< of ẏ = f(y, t)
   std::size_t jacobian_evaluations = 0;  ///< of ∂f/∂y
   std::size_t factorisations = 0;        ///< of an implicit method's matrices
-  std::size_t mode_changes = 0;          ///< events at which a half film changed its mode
+  std::size_t mode_changes = 0;          ///< events: half films that changed their mode, and contacts
 };
 
 /// So many trial steps for so small a share of the duration: a run that would never end. At that pace the default limit

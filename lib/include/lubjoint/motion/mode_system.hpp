@@ -1,0 +1,78 @@
+/// A mode of a free journal as integrators and runs see it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "lubjoint/film/film_state.hpp"
+#include "lubjoint/multibody/free_journal.hpp"
+#include "lubjoint/ode/exact_jacobian.hpp"
+#include "lubjoint/ode/integrator.hpp"
+#include "lubjoint/run/event_run.hpp"
+
+namespace lubjoint {
+
+/// A mode's rate, counted, its exact derivatives, and its margins (EventSystem). Another mode follows each event.
+template <class Mode>
+class ModeSystem final : public OdeSystem<double, Mode::dimension> {
+ public:
+  using Base = OdeSystem<double, Mode::dimension>;            ///< what integrators see
+  using Real = double;                                        ///< scalar
+  using State = typename Base::State;                         ///< of the mode
+  static constexpr std::size_t dimension = Mode::dimension;   ///< number of states
+  static constexpr bool has_events = Mode::margin_count > 0;  ///< can it end before the run does?
+  static constexpr std::size_t looks_each = 1;                ///< a = 0 is not crossed and left in a piece of a step
+
+  /// @param evaluations  counted up by every rate
+  ModeSystem(const Mode& mode, std::size_t& evaluations) : mode_(mode), evaluations_(evaluations) {}
+
+  void rate(const State& y, State& dydt, const double& t) override {
+    ++evaluations_;
+    mode_.rate(y, dydt, t);
+  }
+  void jacobian(const State& y, typename Base::Jacobian& j, const double& t) override {
+    exact_jacobian([this, t](const auto& x, auto& dxdt) { mode_.rate(x, dxdt, t); }, y, j);
+  }
+  void time_slope(const State&, State& slope, const double& t) override { mode_.time_slope(t, slope); }
+
+  static constexpr bool watches() { return has_events; }                      ///< whatever the run
+  ModeSystem& equations() { return *this; }                                   ///< of this mode
+  static constexpr std::size_t coordinates() { return Mode::dimension / 2; }  ///< ê or ρ
+
+  /// Film exists, and every number is finite.
+  bool admissible(double t, const State& y) const {
+    if (!std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); })) return false;
+    const JournalState<double> journal = mode_.journal(t, y);
+    const double left = one_minus_squared_norm(journal[0], journal[1]);
+    if (left > 1e-14) return true;
+    if (!(left > 0)) return false;
+    try {
+      mode_.force(t, y);  // a mode's own ε may round to 1 where that of x and y does not
+    } catch (const std::domain_error&) {
+      return false;
+    }
+    return true;
+  }
+
+  /// Of the mode. A margin that starts at zero may be negative by rounding: those of sided modes are sines of angles
+  /// between computed unit vectors, known to a few epsilon.
+  void margins(double t, const State& y, std::vector<Margin<double>>& list) const {
+    list.clear();
+    for (const double value : mode_.margins(t, y)) {
+      list.push_back({value, 16 * std::numeric_limits<double>::epsilon()});
+    }
+  }
+
+  static bool hold(double, State&, bool) { return false; }  ///< nothing drifts
+  /// The caller knows which mode follows.
+  static AfterEvent cross(std::size_t, double, const State&) { return AfterEvent::hand_over; }
+
+ private:
+  const Mode& mode_;
+  std::size_t& evaluations_;
+};
+
+}  // namespace lubjoint

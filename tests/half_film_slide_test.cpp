@@ -1,0 +1,122 @@
+// Half films between moving bodies that slide on their jump, against an own solution in minimal coordinates.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/mechanisms/half_film_slider_crank.hpp"
+#include "support/scenes.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::test;
+using namespace lubjoint::mechanisms;
+
+namespace {
+
+const std::string scenes = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/";
+
+/// From when to when a film slides [s].
+using Slides = std::vector<std::array<double, 2>>;
+
+/// Slides that follow each other at once are one: where a film lets go slowly, errors of the run may hold it again.
+Slides joined(const Slides& slides, double at_once) {
+  Slides all;
+  for (const auto& slide : slides) {
+    if (!all.empty() && slide[0] - all.back()[1] < at_once) {
+      all.back()[1] = slide[1];
+    } else {
+      all.push_back(slide);
+    }
+  }
+  return all;
+}
+
+Slides slides_of(const PinRun<double>& run, double end) {
+  Slides slides;
+  for (std::size_t i = 0; i < run.changes.size(); ++i) {
+    if (run.changes[i].side != JumpSide::sliding) continue;
+    slides.push_back({run.changes[i].t, i + 1 < run.changes.size() ? run.changes[i + 1].t : end});
+  }
+  return slides;
+}
+
+Slides slides_of(const MultibodyTrajectory& run) {
+  Slides slides;
+  for (const JointSlide& slide : run.slides) slides.push_back({slide.start, slide.end});
+  return slides;
+}
+
+/// Largest differences of a run from the solution in minimal coordinates.
+struct Apart {
+  double place = 0;     ///< of e, in clearances
+  double velocity = 0;  ///< of ė, over cΩ
+  double force = 0;     ///< of F, over the largest
+  double turn = 0;      ///< of entries and exits, as an angle of the crank [rad]
+  std::size_t slides = 0;
+};
+
+template <PolarLaw Law>
+Apart apart(const Scene& scene, const MultibodyTrajectory& run) {
+  const SceneJoint& joint = scene.joints[0];
+  const double speed = 500 * pi<double>() / 3;
+  std::vector<double> times;
+  for (const MultibodySample& sample : run.samples) {
+    if (sample.t > 0) times.push_back(sample.t);
+  }
+  // Its own error: the embedded estimate's 1e-12, a hundredth of what is compared.
+  const PinRun<double> own =
+      HalfFilmSliderCrank<Law, double>({}, speed,
+                                       {joint.length, joint.journal_radius, joint.clearance, joint.viscosity}, 1e-12)
+          .run(times);
+  INFO(own.stopped);
+  REQUIRE(own.samples.size() == times.size());
+  Apart most;
+  const auto larger = [](double& of, double value) { of = std::max(of, value); };
+  double largest = 0;
+  for (const auto& sample : own.samples) larger(largest, sample.force.norm());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const MultibodySample& sample = run.samples[i + 1];
+    larger(most.place, (sample.joints[0].eccentricity / joint.clearance - own.samples[i].eccentricity).norm());
+    larger(most.force, (sample.joints[0].force - own.samples[i].force).norm() / largest);
+    // Bodies crank, rod, slider; the bearing at the rod's far end, the journal at the slider's centre.
+    const double* y = sample.state.data();
+    const double* v = y + 9;
+    const Vector2<double> arm(0.06 * std::cos(y[5]), 0.06 * std::sin(y[5]));
+    const Vector2<double> rate(v[6] - v[3] + v[5] * arm.y(), v[7] - v[4] - v[5] * arm.x());
+    larger(most.velocity, (rate / joint.clearance - own.samples[i].velocity).norm() / speed);
+  }
+  const double at_once = 1e-6 / speed;
+  const Slides mine = joined(slides_of(run), at_once);
+  const Slides theirs = joined(slides_of(own, times.back()), at_once);
+  REQUIRE(mine.size() == theirs.size());
+  most.slides = mine.size();
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) larger(most.turn, speed * std::abs(mine[i][k] - theirs[i][k]));
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("slider-crank of all five parameter sets, each half film: places, velocities, forces, entries and exits") {
+  for (const std::string file : {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4",
+                                 "slider-crank-c0.2-mu0.04", "slider-crank-c0.5-mu0.04"}) {
+    for_each_film_law([&]<class Law>() {
+      if constexpr (PolarLaw<Law>) {
+        Scene scene = load_scene(scenes + file + ".toml");
+        scene.joints[0].film = Law::name;
+        set_tolerance(scene, 1e-10);
+        const MultibodyTrajectory run = simulate_multibody(scene);
+        INFO(file << " " << Law::name);
+        REQUIRE(run.outcome.status == RunStatus::finished);
+        const Apart most = apart<Law>(scene, run);
+        printf("%s %s place %.2g vel %.2g force %.2g turn %.2g res %.2g steps %zu slides %zu\n", file.c_str(),
+               Law::name.data(), most.place, most.velocity, most.force, most.turn,
+               run.energy_residual.value_or(0) / run.energy_scale, run.outcome.steps, most.slides);
+      }
+    });
+  }
+}
