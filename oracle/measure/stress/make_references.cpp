@@ -6,8 +6,8 @@
 #include <mutex>
 #include <set>
 
-#include "lubjoint/film/law_list.hpp"
 #include "oracle/files/parallel.hpp"
+#include "oracle/measure/stress/reference_crank.hpp"
 #include "oracle/measure/stress/reference_journal.hpp"
 #include "oracle/measure/stress/stress_references.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
@@ -19,9 +19,22 @@ namespace {
 using namespace stress_reference;
 using Long = long double;
 
-/// Of a step, over its scale. The stored motion's, and that of the one that it is compared with.
-constexpr double stored_tolerance = 1e-14;
-constexpr double compared_tolerance = 1e-13;
+/// Of a step, over its scale: the stored motion's, and that of the one that it is compared with.
+template <class R>
+struct ReferenceTolerance;
+template <>
+struct ReferenceTolerance<Long> {
+  static constexpr double stored = 1e-14;
+  static constexpr double compared = 1e-13;
+};
+/// For motions that 64 bits do not do: a motion that amplifies a million times is known to 1e-14 still.
+template <>
+struct ReferenceTolerance<Quad> {
+  static constexpr double stored = 1e-20;
+  static constexpr double compared = 1e-19;
+};
+/// Of disturbed motions, whose differences are read to 1e-4 of a disturbance of 1e-4.
+constexpr double disturbed_tolerance = 1e-10;
 /// Share of its scale by which a state is moved to see what becomes of it: its square is below what growth is read to.
 constexpr double disturbance = 1e-4;
 
@@ -137,28 +150,22 @@ JournalNumbers numbers_of(const Scene& scene) {
 
 /// Rates that the journal's drive makes [1/s]: the mean spin, or that at which the load moves it, be it the film or
 /// inertia that holds it back.
-double drive_rate(const JournalNumbers& n, const JournalForces<Long>& forces, double duration) {
+template <class R>
+double drive_rate(const JournalNumbers& n, const JournalForces<R>& forces, double duration) {
   const double load = static_cast<double>(forces.load.norm());
   const double spin = std::max(std::abs(n.spin), std::abs(n.spin + n.spin_rate * duration)) / 2;
   return std::max(
       spin, std::min(load / static_cast<double>(forces.scale), std::sqrt(load / static_cast<double>(forces.inertia))));
 }
 
-template <class Motion>
-Sample sample_of(const Motion& motion, const Situation<Long>& s) {
-  return {s.plane().template cast<double>(), motion.force(s).template cast<double>()};
-}
-
-template <template <class> class Method>
-Run journal_run(const JournalNumbers& n, const JournalForces<Long>& forces, double rate, double tolerance,
-                const std::vector<double>& times, std::vector<Situation<Long>>* kept) {
-  JournalMotionBy<Long, Method> motion(forces, rate, tolerance, times.back());
+/// A motion at its output times, or to where it can't go on.
+template <class Motion, class At>
+Run run_of(Motion& motion, At now, const std::vector<double>& times, std::vector<At>* kept) {
   Run run;
   try {
-    Situation<Long> now = motion.start(n);
     for (const double t : times) {
       motion.to(now, t);
-      run.samples.push_back(sample_of(motion, now));
+      run.samples.push_back({motion.plane(now).template cast<double>(), motion.force(now).template cast<double>()});
       if (kept) kept->push_back(now);
     }
   } catch (const std::exception& error) {
@@ -168,34 +175,25 @@ Run journal_run(const JournalNumbers& n, const JournalForces<Long>& forces, doub
   return run;
 }
 
-StressReference journal_reference(const Scene& scene, StressReference reference) {
-  const JournalNumbers n = numbers_of(scene);
-  const JournalForces<Long> forces(n);
-  const std::vector<double> times = output_times(scene);
-  const double driven = drive_rate(n, forces, scene.run.duration);
-  double rate = std::max(driven, std::hypot(n.velocity[0], n.velocity[1]) / n.clearance);
-  if (rate == 0) rate = 1;
-  std::vector<Situation<Long>> kept;
-  const Run stored = journal_run<Collocation>(n, forces, rate, stored_tolerance, times, &kept);
-  const Run compared = journal_run<Extrapolation>(n, forces, rate, compared_tolerance, times, nullptr);
-  compare(reference, times, stored, compared, driven > 0 ? driven : 1, static_cast<double>(forces.load.norm()));
-  JournalMotionBy<Long, Collocation> motion(forces, rate, stored_tolerance, times.back());
+/// Growth of disturbances and the forces' sensitivity, of a motion whose states at the output times are kept.
+/// @param another  another() makes a motion for a disturbed one
+template <class At, class Motion, class Another>
+void add_sensitivity(StressReference& reference, const std::vector<double>& times, const std::vector<At>& kept,
+                     const Motion& motion, const Another& another) {
   const double unit = reference.rate_unit;
   const auto scaled = [unit](Eigen::Vector4d v) {
     v.tail<2>() /= unit;
     return v;
   };
   const auto both_ways = [&](std::size_t i, int component, const auto& what) {
-    const Situation<Long> up = motion.moved(kept[i], component, disturbance);
-    const Situation<Long> down = motion.moved(kept[i], component, -disturbance);
-    return what(up, down);
+    return what(motion.moved(kept[i], component, disturbance), motion.moved(kept[i], component, -disturbance));
   };
   // Columns: what a disturbance by its scale changes; divided by what the disturbance itself is in ê and ê̇/V.
   const auto directions = [&](std::size_t i) {
     Eigen::Matrix4d d;
     for (int k = 0; k < 4; ++k) {
-      d.col(k) = both_ways(i, k, [&](const auto& up, const auto& down) {
-        return scaled((up.plane() - down.plane()).template cast<double>());
+      d.col(k) = both_ways(i, k, [&](const At& up, const At& down) {
+        return scaled((motion.plane(up) - motion.plane(down)).template cast<double>());
       });
     }
     return d;
@@ -203,7 +201,7 @@ StressReference journal_reference(const Scene& scene, StressReference reference)
   for (std::size_t i = 0; i < reference.rows.size(); ++i) {
     Eigen::Matrix<double, 2, 4> change;
     for (int k = 0; k < 4; ++k) {
-      change.col(k) = both_ways(i, k, [&](const auto& up, const auto& down) {
+      change.col(k) = both_ways(i, k, [&](const At& up, const At& down) {
         return Eigen::Vector2d((motion.force(up) - motion.force(down)).template cast<double>());
       });
     }
@@ -215,11 +213,11 @@ StressReference journal_reference(const Scene& scene, StressReference reference)
     Eigen::Matrix4d moved = Eigen::Matrix4d::Constant(std::nan(""));
     try {
       for (int k = 0; k < 4; ++k) {
-        moved.col(k) = both_ways(i, k, [&](auto up, auto down) {
-          JournalMotionBy<Long, Collocation> on(forces, rate, 1e-10, times.back());
+        moved.col(k) = both_ways(i, k, [&](At up, At down) {
+          auto on = another();
           on.to(up, times[i + 1]);
           on.to(down, times[i + 1]);
-          return scaled((up.plane() - down.plane()).template cast<double>());
+          return scaled((on.plane(up) - on.plane(down)).template cast<double>());
         });
       }
     } catch (const std::exception&) {  // beyond where the motion is known, growth is without bound
@@ -227,155 +225,95 @@ StressReference journal_reference(const Scene& scene, StressReference reference)
     }
     return moved * directions(i).inverse();
   });
+}
+
+template <class R, template <class> class Method>
+Run journal_run(const JournalNumbers& n, const JournalForces<R>& forces, double rate, double tolerance,
+                const std::vector<double>& times, std::vector<Situation<R>>* kept) {
+  JournalMotionBy<R, Method> motion(forces, R(rate), R(tolerance), R(times.back()));
+  return run_of(motion, motion.start(n), times, kept);
+}
+
+template <class R>
+StressReference journal_reference(const Scene& scene, StressReference reference) {
+  const JournalNumbers n = numbers_of(scene);
+  const JournalForces<R> forces(n);
+  const std::vector<double> times = output_times(scene);
+  const double driven = drive_rate(n, forces, scene.run.duration);
+  double rate = std::max(driven, std::hypot(n.velocity[0], n.velocity[1]) / n.clearance);
+  if (rate == 0) rate = 1;
+  std::vector<Situation<R>> kept;
+  const Run stored = journal_run<R, Collocation>(n, forces, rate, ReferenceTolerance<R>::stored, times, &kept);
+  const Run compared = journal_run<R, Extrapolation>(n, forces, rate, ReferenceTolerance<R>::compared, times, nullptr);
+  compare(reference, times, stored, compared, driven > 0 ? driven : 1, static_cast<double>(forces.load.norm()));
+  add_sensitivity(reference, times, kept,
+                  JournalMotionBy<R, Collocation>(forces, rate, ReferenceTolerance<R>::stored, times.back()),
+                  [&] { return JournalMotionBy<R, Collocation>(forces, rate, disturbed_tolerance, times.back()); });
   return reference;
 }
 
 // The slider-crank.
 
-/// Minimal coordinates as the methods want them.
-template <FilmLaw Law>
-struct CrankSystem {
-  using Scalar = Long;
-  static constexpr int size = 4;
-  using State = Eigen::Matrix<Long, 4, 1>;
-  mechanisms::LubricatedSliderCrank<Law, Long> mechanism;
-
-  static mechanisms::DeviationState<Long> deviation(const State& y) { return {y(0), y(1), y(2), y(3)}; }
-  State rate(const Long& t, const State& y) const {
-    mechanisms::DeviationState<Long> d;
-    mechanism.rate(deviation(y), d, t);
-    return State(d[0], d[1], d[2], d[3]);
-  }
-  State scale(const State&) const { return State::Ones(); }
-  static Long noise() { return 1000 * std::numeric_limits<Long>::epsilon(); }
-  std::array<Long, 2> margins(const Long& t, const State& y) const {
-    std::array<Long, 2> m = {1, 1};
-    if (Law::name != std::string_view("pinkus_sternlicht")) return m;
-    // Its kink: either of these two turns negative where ε̇ changes sign, and then the other counts.
-    const auto pin = mechanism.pin(t, deviation(y));
-    const Long squeeze = dot(pin.eccentricity, pin.velocity) / speed;
-    m = {squeeze, -squeeze};
-    return m;
-  }
-  Long speed;
-};
-
-template <FilmLaw Law, template <class> class Method>
-Run crank_run(const CrankSystem<Law>& system, double tolerance, const std::vector<double>& times,
-              std::vector<Eigen::Matrix<Long, 4, 1>>* kept) {
-  Run run;
-  Eigen::Matrix<Long, 4, 1> y = Eigen::Matrix<Long, 4, 1>::Zero();
-  Long t = 0;
-  Long step = times.back() * 1e-9L;
-  try {
-    for (const double goal : times) {
-      while (t < goal) {
-        Piece<CrankSystem<Law>, Method> piece(system, tolerance, step);
-        piece.to(t, y, goal);
-        step = piece.step();
-      }
-      const auto pin = system.mechanism.pin(t, system.deviation(y));
-      Sample sample;
-      sample.state << static_cast<double>(pin.eccentricity.x()), static_cast<double>(pin.eccentricity.y()),
-          static_cast<double>(pin.velocity.x()), static_cast<double>(pin.velocity.y());
-      sample.force << static_cast<double>(pin.force.x()), static_cast<double>(pin.force.y());
-      run.samples.push_back(sample);
-      if (kept) kept->push_back(y);
-    }
-  } catch (const std::exception& error) {
-    run.why_ended =
-        fmt::format("{} beyond {:.3g} s", error.what(), run.samples.empty() ? 0.0 : times[run.samples.size() - 1]);
-  }
-  return run;
+template <class R, template <class> class Method>
+Run crank_run(const CrankMechanics<R>& mechanics, const JournalForces<R>& forces, double tolerance,
+              const std::vector<double>& times, std::vector<CrankSituation<R>>* kept) {
+  CrankMotionBy<R, Method> motion(mechanics, forces, R(tolerance), R(times.back()));
+  return run_of(motion, motion.start(), times, kept);
 }
 
-template <FilmLaw Law>
+template <class R>
 StressReference crank_reference(const Scene& scene, StressReference reference) {
+  const SceneJoint& joint = scene.joints.front();
+  const bool on_rod = !joint.bearing.on_ground() && scene.bodies[joint.bearing.body].name == "rod";
   const double speed = crank_speed_of(scene);
-  const CrankSystem<Law> system{lubricated_slider_crank<Law, Long>(scene), speed};
+  const CrankMechanics<R> mechanics({mechanism_of<R>(scene), R(speed), R(joint.clearance), on_rod});
+  JournalNumbers film;
+  film.law = joint.film;
+  film.length = joint.length;
+  film.journal_radius = joint.journal_radius;
+  film.clearance = joint.clearance;
+  film.viscosity = joint.viscosity;
+  const JournalForces<R> forces(film);
   const std::vector<double> times = output_times(scene);
-  std::vector<Eigen::Matrix<Long, 4, 1>> kept;
-  // ê is a difference of lengths of the mechanism's size: what rounding leaves of it is no tolerance.
-  const double rounding = 50 * static_cast<double>(std::numeric_limits<Long>::epsilon()) *
-                          static_cast<double>(mechanism_of<Long>(scene).rod_length) / scene.joints.front().clearance;
-  const Run stored = crank_run<Law, Collocation>(system, std::max(stored_tolerance, rounding), times, &kept);
-  const Run compared = crank_run<Law, Extrapolation>(system, std::max(compared_tolerance, rounding), times, nullptr);
+  std::vector<CrankSituation<R>> kept;
+  const Run stored = crank_run<R, Collocation>(mechanics, forces, ReferenceTolerance<R>::stored, times, &kept);
+  const Run compared = crank_run<R, Extrapolation>(mechanics, forces, ReferenceTolerance<R>::compared, times, nullptr);
   compare(reference, times, stored, compared, speed, 0);
-  const double unit = reference.rate_unit;
-  const auto seen = [&](double t, const Eigen::Matrix<Long, 4, 1>& y) {
-    const auto pin = system.mechanism.pin(t, system.deviation(y));
-    Eigen::Matrix<Long, 6, 1> all;
-    all << pin.eccentricity.x(), pin.eccentricity.y(), pin.velocity.x() / unit, pin.velocity.y() / unit,
-        pin.force.x() / reference.force_unit, pin.force.y() / reference.force_unit;
-    return all;
-  };
-  const auto moved = [&](std::size_t i, int k, double sign) {
-    Eigen::Matrix<Long, 4, 1> y = kept[i];
-    const Long gap = 1 - seen(times[i], y).template head<2>().norm();
-    y(k) += sign * disturbance * gap;
-    return y;
-  };
-  const auto directions = [&](std::size_t i) {
-    Eigen::Matrix<double, 6, 4> d;
-    for (int k = 0; k < 4; ++k) {
-      d.col(k) = (seen(times[i], moved(i, k, 1)) - seen(times[i], moved(i, k, -1))).template cast<double>();
-    }
-    return d;
-  };
-  for (std::size_t i = 0; i < reference.rows.size(); ++i) {
-    const Eigen::Matrix<double, 6, 4> d = directions(i);
-    const double gain = (d.bottomRows<2>() * d.topRows<4>().inverse()).norm();
-    reference.rows[i].force_gain = std::isfinite(gain) ? gain : 1e99;
-  }
-  add_growth(reference, [&](std::size_t i) -> Eigen::Matrix4d {
-    Eigen::Matrix4d after = Eigen::Matrix4d::Constant(std::nan(""));
-    try {
-      for (int k = 0; k < 4; ++k) {
-        std::array<Eigen::Matrix<Long, 6, 1>, 2> ends;
-        for (const int way : {0, 1}) {
-          Eigen::Matrix<Long, 4, 1> y = moved(i, k, way ? -1 : 1);
-          Long t = times[i];
-          Long step = (times[i + 1] - times[i]) * 1e-6L;
-          while (t < times[i + 1]) {
-            Piece<CrankSystem<Law>, Collocation> piece(system, 1e-10L, step);
-            piece.to(t, y, times[i + 1]);
-            step = piece.step();
-          }
-          ends[static_cast<std::size_t>(way)] = seen(times[i + 1], y);
-        }
-        after.col(k) = (ends[0] - ends[1]).template head<4>().template cast<double>();
-      }
-    } catch (const std::exception&) {
-      return after;
-    }
-    const Eigen::Matrix<double, 6, 4> d = directions(i);
-    return after * d.topRows<4>().inverse();
-  });
+  add_sensitivity(reference, times, kept,
+                  CrankMotionBy<R, Collocation>(mechanics, forces, ReferenceTolerance<R>::stored, times.back()),
+                  [&] { return CrankMotionBy<R, Collocation>(mechanics, forces, disturbed_tolerance, times.back()); });
   return reference;
 }
 
 }  // namespace
 
-StressReference make_stress_reference(const Scene& scene) {
+namespace {
+
+template <class R>
+StressReference reference_in(const Scene& scene) {
   StressReference reference;
   reference.scenario = scene.name;
   reference.law = scene.joints.front().film;
   reference.key = motion_key(scene);
-  reference.methods =
-      "collocation at 7 Radau points against extrapolated linearly implicit Euler steps, 64-bit significands; ";
+  reference.methods = fmt::format(
+      "collocation at 7 Radau points against extrapolated linearly implicit Euler steps, {}-bit significands; ",
+      std::numeric_limits<R>::digits);
   if (scene.bodies.size() == 1) {
     reference.methods += "the journal piece by piece, its published force law written anew, polar near the wall";
-    return journal_reference(scene, std::move(reference));
+    return journal_reference<R>(scene, std::move(reference));
   }
-  reference.methods += "minimal coordinates";
-  return with_film_law(reference.law, [&]<class Law>() -> StressReference {
-    if constexpr (PolarLaw<Law>) {
-      reference.why_none = "a half film between moving bodies slides on its jump: minimal coordinates do not have that";
-      return reference;
-    } else {
-      return crank_reference<Law>(scene, reference);
-    }
-  });
+  reference.methods += "minimal coordinates piece by piece, published force law written anew";
+  return crank_reference<R>(scene, std::move(reference));
+}
+
+}  // namespace
+
+StressReference make_stress_reference(const Scene& scene) {
+  StressReference made = reference_in<Long>(scene);
+  if (made.whole()) return made;
+  // A thin film's force is the difference of large terms, and some motions amplify a million times.
+  StressReference longer = reference_in<Quad>(scene);
+  return longer.whole() || longer.rows.size() > made.rows.size() ? longer : made;
 }
 
 void make_stress_references(const std::vector<StressCase>& cases, const std::vector<std::string>& laws,

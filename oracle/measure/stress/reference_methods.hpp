@@ -2,8 +2,8 @@
 /// (implicit Runge–Kutta, order 13) and extrapolation of the linearly implicit Euler method. Written for this purpose:
 /// they share no code with the integrators that are judged.
 ///
-/// A system has `static constexpr int size`, a type `State` (Eigen column of that size), `rate(t, y)` and `scale(y)`:
-/// what each component's error is measured against. A rate outside its domain throws std::domain_error.
+/// A system has `static constexpr int size`, a type `State` (Eigen column of that size), `rate(t, y)` and `scale(y)` or
+/// `scale(t, y)`: what each component's error is measured against. A rate outside its domain throws std::domain_error.
 #pragma once
 
 #include <Eigen/Dense>
@@ -39,6 +39,16 @@ auto weighted_size(const State& v, const State& scale) {
   return largest;
 }
 
+/// A system's scales at (t, y).
+template <class System>
+auto scale_of(const System& system, const typename System::Scalar& t, const typename System::State& y) {
+  if constexpr (requires { system.scale(t, y); }) {
+    return system.scale(t, y);
+  } else {
+    return system.scale(y);
+  }
+}
+
 /// ∂f/∂y by central differences: half the digits at least of a Jacobian that only drives iterations.
 template <class System>
 auto jacobian_of(const System& system, const typename System::Scalar& t, const typename System::State& y) {
@@ -47,7 +57,7 @@ auto jacobian_of(const System& system, const typename System::Scalar& t, const t
   constexpr int n = System::size;
   static const R share = pow(std::numeric_limits<R>::epsilon(), R(1) / 3);  // least sum of truncation and rounding
   Eigen::Matrix<R, n, n> j;
-  const auto scale = system.scale(y);
+  const auto scale = scale_of(system, t, y);
   for (int k = 0; k < n; ++k) {
     typename System::State up = y;
     typename System::State down = y;
@@ -125,7 +135,7 @@ class Collocation {
     static const RadauPoints<R> fine(7);
     static const RadauPoints<R> coarse(5);
     static const Stages interpolation = interpolate(fine, coarse);
-    const auto scale = system.scale(y);
+    const auto scale = scale_of(system, t, y);
     const auto j = jacobian_of(system, t, y);
     Stages z = Stages::Zero(n, 7);
     if (!solve(system, fine, t, y, h, j, scale, z)) return std::nullopt;
@@ -205,7 +215,7 @@ class Extrapolation {
   explicit Extrapolation(const R& tolerance) : tolerance_(tolerance) {}
 
   std::optional<TrialStep<State, R>> trial(const System& system, const R& t, const State& y, const R& h) const {
-    const auto scale = system.scale(y);
+    const auto scale = scale_of(system, t, y);
     const auto j = jacobian_of(system, t, y);
     using Matrix = Eigen::Matrix<R, n, n>;
     // Changes since the start of the step: small numbers, whose rounding is small.
