@@ -11,10 +11,10 @@
 
 namespace lubjoint::detail {
 
-/// True where the closed forms of an opening film would lose more than about two digits.
+/// True where the closed form of an opening film would be less than 1/22 of its terms (short film, q = ½).
 template <class T>
 bool squeeze_opens_narrowly(const PolarFilmState<T>& state) {
-  return value_of(state.squeeze_rate) < 0 && value_of(state.q) < RealOf<T>(0.35);
+  return value_of(state.squeeze_rate) < 0 && value_of(state.q) < RealOf<T>(0.5);
 }
 
 /// x = ε for b ≥ 0, −ε for b < 0.
