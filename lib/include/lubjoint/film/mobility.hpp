@@ -19,8 +19,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "lubjoint/film/law_list.hpp"
-#include "lubjoint/film/squeeze_only.hpp"
+#include "lubjoint/film/potential.hpp"
 
 namespace lubjoint {
 
