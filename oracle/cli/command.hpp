@@ -22,6 +22,7 @@ void add_simulate(CLI::App& app, Action& action);
 void add_force(CLI::App& app, Action& action);
 void add_equilibrium(CLI::App& app, Action& action);
 void add_losses(CLI::App& app, Action& action);
+void add_mobility(CLI::App& app, Action& action);
 void add_coefficients(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);

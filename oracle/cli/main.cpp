@@ -39,6 +39,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_simulate(app, action);
   add_force(app, action);
   add_losses(app, action);
+  add_mobility(app, action);
   add_equilibrium(app, action);
   add_coefficients(app, action);
   add_stability(app, action);

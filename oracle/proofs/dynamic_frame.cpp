@@ -78,6 +78,19 @@ void short_form(Proof& proof) {
   proof.equal(f.algebra(), wall_moment(proof, f, 1, 1), claimed.across);
 }
 
+/// ∫ (w₁d₁ + w₂d₂)²/H³ dφ, an integral of a square, is the quadratic form of the three second moments.
+void short_moments(Proof& proof) {
+  const Frame f;
+  const symbol w1("w1"), w2("w2");
+  const Resistance along = short_dynamic(f.e1, f.e2, f.s, f.delta);
+  const ex across = short_dynamic_across(f.e1, f.e2, f.s, f.delta);
+  const ex d1 = f.e1 + f.n * cos(f.chi);
+  const ex d2 = f.e2 * f.g() + f.s * f.n * sin(f.chi);
+  proof.equal(f.algebra(), wall_moment(proof, f, 0, 2), across);
+  proof.equal(f.algebra(), f.integral(proof, pow(w1 * d1 + w2 * d2, 2) / pow(f.s, 5)),
+              w1 * w1 * along.along + 2 * w1 * w2 * along.across + w2 * w2 * across);
+}
+
 /// Covariances with weight 1/H³; p′ = −12|u|(sinφ − mean)/H³ and integration by parts give the force.
 void long_form(Proof& proof) {
   const Frame f;
@@ -127,6 +140,8 @@ void opening_short(Proof& proof) {
   const Resistance law = short_dynamic(f.e1, f.e2, f.s, f.delta);
   proof.equal(f.algebra(), law.along.subs(opening(f)), m / pow(f.n2(), 2) * ((3 - 2 * y) * f.rho - frac(4, 3)));
   proof.equal(f.algebra(), law.across.subs(opening(f)), f.e2 / pow(f.n2(), 3) * (2 * f.n2() - 3 * m * m * f.rho));
+  proof.equal(f.algebra(), short_dynamic_across(f.e1, f.e2, f.s, f.delta).subs(opening(f)),
+              m / pow(f.n2(), 2) * (frac(2, 3) + f.rho * (f.q() + 3 * pow(f.e2, 2)) / f.n2()));
 }
 
 void opening_long(Proof& proof) {
@@ -190,6 +205,8 @@ std::vector<Statement> dynamic_frame_statements() {
                  holds, four_moments});
   all.push_back({group, "short dynamic: F = -(S|u|/q^(5/2)) [W u^ + e2 E u^perp] is the integral of the pressure",
                  source, holds, short_form});
+  all.push_back({group, "short dynamic: the second moments of d over H^3 are closed, and their form is int (w.d)^2/H^3",
+                 source, holds, short_moments});
   all.push_back({group, "long dynamic: p' = -12|u| (sin(phi) - mean)/H^3, and the force by parts is a covariance",
                  source, holds, long_field});
   all.push_back({group, "long dynamic: F = -12 S|u| [Var(d2) u^ - Cov(d1, d2) u^perp] has the closed form in V, A, E",

@@ -127,6 +127,13 @@ Resistance long_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& 
   return {factor * n2 * m.a, factor * e2 * m.e};
 }
 
+ex short_dynamic_across(const ex& e1, const ex& e2, const ex& root_q, const ex& delta) {
+  const FrameMoments m = frame_moments(e1, e2, root_q, delta);
+  const ex n2 = 1 - pow(e2, 2);
+  const ex squares = pow(root_q, 2) + 3 * pow(e2, 2);
+  return (squares * m.v + 2 * e1 * pow(e2, 2) * pow(root_q, 3) / pow(n2, 2)) / pow(root_q, 5);
+}
+
 GiNaC::exmap in_dynamic_motion() {
   const Symbols& y = sym();
   return {{y.a, 2 * y.speed * y.cos_start}, {y.b, y.speed * y.sin_start}};

@@ -107,6 +107,8 @@ struct Resistance {
 };
 Resistance short_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& delta);
 Resistance long_dynamic(const ex& e1, const ex& e2, const ex& root_q, const ex& delta);
+/// Second moment of the short dynamic film across u, ∫ d₂²/H³ dφ: [(q + 3e₂²)V + 2e₁e₂²q√q/N⁴]/q^{5/2}.
+ex short_dynamic_across(const ex& e1, const ex& e2, const ex& root_q, const ex& delta);
 
 /// a = 2|u| cosθs and b = |u| sinθs.
 GiNaC::exmap in_dynamic_motion();

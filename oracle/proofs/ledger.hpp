@@ -89,5 +89,8 @@ std::vector<Statement> mechanics_statements();
 std::vector<Statement> contact_statements();
 std::vector<Statement> loss_statements();
 std::vector<Statement> coefficient_statements();
+std::vector<Statement> squeeze_statements();
+std::vector<Statement> potential_statements();
+std::vector<Statement> mobility_statements();
 
 }  // namespace lubjoint::proofs

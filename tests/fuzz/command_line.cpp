@@ -25,6 +25,7 @@ void add_all(CLI::App& app, cli::Action& action) {
   cli::add_simulate(app, action);
   cli::add_force(app, action);
   cli::add_losses(app, action);
+  cli::add_mobility(app, action);
   cli::add_equilibrium(app, action);
   cli::add_coefficients(app, action);
   cli::add_stability(app, action);

@@ -11,9 +11,10 @@
 namespace lubjoint {
 
 /// Is the force a gradient, F = −½ ∂Φ/∂u, of a function of u that is homogeneous of degree two?
-/// convex: passive, monotone, one velocity for every force. not_convex: Φ has a kink where the force jumps, and some
-/// forces have two velocities or none. none: ∂F/∂u is not symmetric.
-enum class Potential { convex, not_convex, none };
+/// convex: passive, monotone; where it is strictly so (everywhere but for laws of the squeeze alone) a force has one
+/// velocity. on_each_side: on each side of a = 0, where it has a kink; where b < 0 two velocities can have one force.
+/// none: ∂F/∂u is not symmetric. All of it is proved in oracle/proofs.
+enum class Potential { convex, on_each_side, none };
 
 /// The facts of one law.
 struct LawFacts {

@@ -26,8 +26,9 @@ using FilmLaws =
 
 /// What each law's header says of it, in the order of FilmLaws.
 inline constexpr auto facts_of_film_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
-  return std::array<LawFacts, sizeof...(Law)>{
-      LawFacts{Law::name, Law::words, Law::limit, Law::extent, Law::has_pressure, PolarLaw<Law>, Law::potential}...};
+  return std::array<LawFacts, sizeof...(Law)>{LawFacts{Law::name, Law::words, Law::limit, Law::extent,
+                                                       Law::has_pressure, Law::extent == FilmExtent::half,
+                                                       Law::potential}...};
 }(std::type_identity<FilmLaws>{});
 
 /// Names of the laws, in the order of FilmLaws.

@@ -15,6 +15,7 @@
 
 #include "lubjoint/film/law.hpp"
 #include "lubjoint/film/shear_extent.hpp"
+#include "lubjoint/film/squeeze_only.hpp"
 
 namespace lubjoint {
 
@@ -87,7 +88,7 @@ T couette_integral(const FilmState<T>& film, ShearedGap gap) {
 /// The same of a law. @throws std::invalid_argument if the law has not this shear
 template <FilmLaw Law, class T>
 T couette_integral(const FilmState<T>& film, ShearExtent shear) {
-  return couette_integral(film, sheared_gap<Law>(shear));
+  return couette_integral(state_of_film<Law>(film), sheared_gap<Law>(shear));
 }
 
 /// μR³L/c [N m s], rounded once: T_C = scale · ω · I₁.
@@ -150,7 +151,7 @@ std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>
 /// The same of a law.
 template <FilmLaw Law, class T>
 std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>& film) {
-  return side_flow(bearing, film, Law::limit, Law::extent);
+  return side_flow(bearing, state_of_film<Law>(film), Law::limit, Law::extent);
 }
 
 }  // namespace lubjoint
