@@ -16,7 +16,7 @@ struct LongHalf {
   static constexpr FilmExtent extent = FilmExtent::half;                ///< 0…π, or π…2π where a < 0
   static constexpr std::string_view words = "long bearing, half film";  ///< for people
   static constexpr bool has_pressure = true;                            ///< the force is its integral
-  static constexpr Potential potential = Potential::not_convex;         ///< kinked where a = 0, concave there for b < 0
+  static constexpr Potential potential = Potential::on_each_side;       ///< of a = 0
 
   /// F/S [1/s], radial and tangential, as above.
   /// @param side  the half that carries pressure: given, since a motion that slides along a = 0 asks for both

@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/squeeze_only.hpp"
 
 namespace lubjoint {
 
