@@ -66,11 +66,10 @@ Apart apart(const Scene& scene, const MultibodyTrajectory& run) {
   for (const MultibodySample& sample : run.samples) {
     if (sample.t > 0) times.push_back(sample.t);
   }
-  // Its own error: the embedded estimate's 1e-12, a hundredth of what is compared.
-  const PinRun<double> own =
-      HalfFilmSliderCrank<Law, double>({}, speed,
-                                       {joint.length, joint.journal_radius, joint.clearance, joint.viscosity}, 1e-12)
-          .run(times);
+  // A tenth of the tolerance of the run that is compared.
+  const PinRun<double> own = HalfFilmSliderCrank<Law, double>(
+                                 {}, speed, {joint.length, joint.journal_radius, joint.clearance, joint.viscosity}, 1e-11)
+                                 .run(times);
   INFO(own.stopped);
   REQUIRE(own.samples.size() == times.size());
   Apart most;
@@ -102,8 +101,9 @@ Apart apart(const Scene& scene, const MultibodyTrajectory& run) {
 }  // namespace
 
 TEST_CASE("slider-crank of all five parameter sets, each half film: places, velocities, forces, entries and exits") {
-  for (const std::string file : {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4",
-                                 "slider-crank-c0.2-mu0.04", "slider-crank-c0.5-mu0.04"}) {
+  for (const std::string file :
+       {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4", "slider-crank-c0.2-mu0.04",
+        "slider-crank-c0.5-mu0.04"}) {
     for_each_film_law([&]<class Law>() {
       if constexpr (PolarLaw<Law>) {
         Scene scene = load_scene(scenes + file + ".toml");
@@ -113,9 +113,7 @@ TEST_CASE("slider-crank of all five parameter sets, each half film: places, velo
         INFO(file << " " << Law::name);
         REQUIRE(run.outcome.status == RunStatus::finished);
         const Apart most = apart<Law>(scene, run);
-        printf("%s %s place %.2g vel %.2g force %.2g turn %.2g res %.2g steps %zu slides %zu\n", file.c_str(),
-               Law::name.data(), most.place, most.velocity, most.force, most.turn,
-               run.energy_residual.value_or(0) / run.energy_scale, run.outcome.steps, most.slides);
+        printf("%s %s place %.2g vel %.2g force %.2g turn %.2g res %.2g steps %zu slides %zu\n", file.c_str(), Law::name.data(), most.place, most.velocity, most.force, most.turn, run.energy_residual.value_or(0)/run.energy_scale, run.outcome.steps, most.slides);
       }
     });
   }

@@ -224,15 +224,18 @@ class HalfFilmSliderCrank {
     return {R(f[0] * p.r.x() - f[1] * p.r.y()), R(f[0] * p.r.y() + f[1] * p.r.x())};
   }
 
-  /// Positive while the side lasts.
+  /// Positive while the side lasts; at most 1.
   R margin(const R& t, const State& y) const {
     using std::abs;
     const Place p = place(t, y);
     if (side_ == JumpSide::sliding) {
       const Slide s = slide(p);
-      return s.reach - abs(s.needed);
+      const R size = abs(s.reach) + abs(s.needed);
+      return size > 0 ? R((s.reach - abs(s.needed)) / size) : R(0);
     }
-    return side_ == JumpSide::converging ? R(-p.slip * p.rho) : R(p.slip * p.rho);
+    const R size = abs(p.slip) + abs(p.b);
+    if (!(size > 0)) return R(0);
+    return (side_ == JumpSide::converging ? R(-p.slip) : p.slip) / size;
   }
 
   /// Filippov's rule at a = 0, at (t, y), with the ray r.
@@ -299,7 +302,7 @@ class HalfFilmSliderCrank {
       t = last && made == tried ? times[next] : R(t + made);
       if (last && made == tried) dt = std::max<R>(dt, wanted);
       if (!watched) {
-        const R parted = margin(t, y) / (side_ == JumpSide::sliding ? R(scale_ * speed_) : speed_);
+        const R parted = margin(t, y);
         watched = parted > above_errors;
         if (parted < -wrong_side) {
           throw std::runtime_error("a side of the film ends as it begins");
@@ -323,9 +326,9 @@ class HalfFilmSliderCrank {
     }
   }
 
-  // Margins over the rates of the motion: above errors of the integration, and far above them.
-  static constexpr double above_errors = 1e-9;
-  static constexpr double wrong_side = 1e-5;
+  // Margins above errors of the integration, and far above them.
+  static constexpr double above_errors = 1e-8;
+  static constexpr double wrong_side = 1e-3;
 
   static R norm_or_zero(const Vector2<R>& v) { return is_zero(v) ? R(0) : norm(v); }
 

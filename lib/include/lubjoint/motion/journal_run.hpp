@@ -86,15 +86,13 @@ class JournalRun {
     // The quintic's error in an explicit step of higher order may be a hundred tolerances and more.
     const bool by_steps = !is_stiff_integrator(outcome_.integrator);
     ModeSystem<Mode> system(mode, outcome_.rhs_evaluations);
-    const RunResult result = EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
-                                 .run(t_, y, dt_, [&](const auto& step, const auto& state_at, const auto& stepped_at) {
-                                   if (by_steps) {
-                                     recorder_.step(mode, step.t_old, step.t_new, state_at, stepped_at, looks);
-                                   } else {
-                                     recorder_.step(mode, step.t_old, step.t_new, state_at, looks);
-                                   }
-                                   return true;
-                                 });
+    const RunResult result =
+        EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
+            .run(t_, y, dt_, [&](const auto& step, const auto& state_at, const auto& stepped_at) {
+              const auto sample_at = [&](double t) { return by_steps ? stepped_at(t) : state_at(t); };
+              recorder_.step(mode, step.t_old, step.t_new, state_at, sample_at, looks);
+              return true;
+            });
     outcome_.jacobian_evaluations += method->counts().jacobians;
     outcome_.factorisations += method->counts().factorisations;
     return result;
