@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "lubjoint/film/butenschoen.hpp"
-#include "lubjoint/film/moes_impedance.hpp"
+#include "lubjoint/film/shaped_mobility.hpp"
 
 using namespace lubjoint;
 using Catch::Matchers::Contains;
@@ -129,4 +129,40 @@ TEST_CASE("laws of finite length are homogeneous in u from 1e-300 to 1e300, turn
   };
   check.operator()<MoesImpedance>();
   check.operator()<Butenschoen>();
+}
+
+TEST_CASE("Moes' impedance has an inverse: M(F(u)) is u to 1e-12, and its load stays within 90° of u") {
+  for (const double shape : {0.25, 0.5, 1.0, 2.0}) {
+    double worst = 0;
+    double widest = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double epsilon = 0.98 * std::sqrt((i + 0.5) / 2000);
+      const Vec e = epsilon * Vec(std::cos(2.3999632 * i), std::sin(2.3999632 * i));
+      const Vec u(std::cos(0.7 * i), std::sin(0.7 * i));
+      const double q = one_minus_squared_norm(e.x(), e.y());
+      const Vec force = shaped_force_ratio<MoesImpedance>(FilmState<double>(e, u), shape);
+      worst = std::max(worst, (moes_velocity(e, q, force, shape) - u).norm());
+      widest = std::max(widest, std::acos(-force.dot(u) / force.norm()));
+    }
+    INFO("L/D " << shape << ": " << worst << ", " << widest);
+    CHECK(worst <= 1e-12);                        // what is promised; rounding times the film's condition, 6/q = 150
+    CHECK(widest < 0.99 * std::numbers::pi / 2);  // what the bracket of the direction asks for
+  }
+}
+
+TEST_CASE(
+    "Moes' two fits are no inverse of each other: his mobility is off by 2.8, 6.4 and 10.5 % at L/D 1/4, 1/2, 1") {
+  for (const auto& [shape, percent] : {std::pair{0.25, 2.82}, {0.5, 6.43}, {1.0, 10.53}}) {
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double epsilon = 0.9 * std::sqrt((i + 0.5) / 2000);
+      const Vec e = epsilon * Vec(std::cos(2.3999632 * i), std::sin(2.3999632 * i));
+      const double q = one_minus_squared_norm(e.x(), e.y());
+      const Vec exact = moes_velocity(e, q, Vec(-1, 0), shape);  // load along x
+      const Vec fit = MoesImpedance::mobility(e.x(), e.y(), q, shape) / 2;
+      worst = std::max(worst, 100 * (fit - exact).norm() / exact.norm());
+    }
+    INFO("L/D " << shape << ": " << worst << " %");
+    CHECK(worst == Approx(percent).margin(0.011));  // the digits printed
+  }
 }

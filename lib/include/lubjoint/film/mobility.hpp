@@ -88,18 +88,25 @@ struct TurningResistance {
   Vector2<R> slope;  ///< its derivative in the angle of n; J n⊥ with J = −∂F/∂u, and J n is the value
 };
 
-/// By exact differentiation of the law.
+/// By exact differentiation of F/S, a function of the film state.
+template <class R, class Force>
+TurningResistance<R> differentiated_resistance(const Vector2<R>& e_hat, const R& q, const Vector2<R>& n,
+                                               const Force& force_of) {
+  using D = Dual<R, 1>;
+  using Slope = typename D::Derivatives;
+  const Vector2<D> e(D(e_hat.x()), D(e_hat.y()));
+  const Vector2<D> u(D(n.x(), Slope(-n.y())), D(n.y(), Slope(n.x())));
+  const Vector2<D> force = force_of(FilmState<D>(e, u, D(q), Unchecked()));
+  return {Vector2<R>(R(-force.x().value()), R(-force.y().value())),
+          Vector2<R>(R(-force.x().derivatives()(0)), R(-force.y().derivatives()(0)))};
+}
+
+/// Of a law.
 template <FilmLaw Law>
 struct DirectionalResistance {
   template <class R>
   static TurningResistance<R> at(const Vector2<R>& e_hat, const R& q, const Vector2<R>& n) {
-    using D = Dual<R, 1>;
-    using Slope = typename D::Derivatives;
-    const Vector2<D> e(D(e_hat.x()), D(e_hat.y()));
-    const Vector2<D> u(D(n.x(), Slope(-n.y())), D(n.y(), Slope(n.x())));
-    const Vector2<D> force = force_ratio<Law>(FilmState<D>(e, u, D(q), Unchecked()));
-    return {Vector2<R>(R(-force.x().value()), R(-force.y().value())),
-            Vector2<R>(R(-force.x().derivatives()(0)), R(-force.y().derivatives()(0)))};
+    return differentiated_resistance(e_hat, q, n, [](const auto& film) { return force_ratio<Law>(film); });
   }
 };
 
@@ -139,11 +146,11 @@ struct DirectionalResistance<ShortDynamic> {
 };
 
 /// A direction from which to start, in the frame of the load λ: Booker's short film, and the long limit of Moes' fit.
-template <FilmLaw Law, class R>
-Vector2<R> first_direction(const Vector2<R>& e_hat, const Vector2<R>& load) {
+template <class R>
+Vector2<R> first_direction(BearingLimit limit, const Vector2<R>& e_hat, const Vector2<R>& load) {
   const Vector2<R> across = perpendicular(load);
   const R room = 1 - dot(e_hat, load);
-  const R turn = R(Law::limit == BearingLimit::short_bearing ? 1.2732 : 0.75) * dot(e_hat, across);
+  const R turn = R(limit == BearingLimit::short_bearing ? 1.2732 : 0.75) * dot(e_hat, across);
   return direction(Vector2<R>(room * load - turn * across));
 }
 
@@ -153,16 +160,17 @@ Vector2<R> first_direction(const Vector2<R>& e_hat, const Vector2<R>& load) {
 /// −∂F/∂u maps n to f and n⊥ to f′. It is exact where the film is linear, however different its resistance along and
 /// across e. The direction of f(n) is 90° behind or ahead of the load at least where n is at a right angle to it,
 /// because f·n > 0; that brackets n, and steps that leave the bracket halve it.
-template <FilmLaw Law, class R>
-Vector2<R> velocity_against(const Vector2<R>& e_hat, const R& q, const Vector2<R>& load) {
+/// @param resistance  gives the TurningResistance of a direction;  @param n  where to start
+template <class R, class Resistance>
+Vector2<R> velocity_against(const R& q, const Vector2<R>& load, Vector2<R> n, std::string_view law,
+                            const Resistance& resistance) {
   using std::abs;
   const R negligible = std::numeric_limits<R>::epsilon() * q;  // of β²/α²: the next step's β is about β²/√q
   Vector2<R> behind = -perpendicular(load);
   Vector2<R> ahead = perpendicular(load);
-  Vector2<R> n = first_direction<Law>(e_hat, load);
   constexpr int most = 10 * std::numeric_limits<R>::digits;  // each eighth step halves the bracket
   for (int step = 0; step < most; ++step) {
-    const TurningResistance<R> f = DirectionalResistance<Law>::at(e_hat, q, n);
+    const TurningResistance<R> f = resistance(n);
     const R determinant = cross(f.value, f.slope);
     const R alpha = cross(load, f.slope) / determinant;
     const R beta = cross(f.value, load) / determinant;
@@ -179,7 +187,7 @@ Vector2<R> velocity_against(const Vector2<R>& e_hat, const R& q, const Vector2<R
     if (next == n) return (dot(load, f.value) / dot(f.value, f.value)) * n;  // the direction is right to rounding
     n = next;
   }
-  throw std::runtime_error("the mobility of " + std::string(Law::name) +
+  throw std::runtime_error("the mobility of " + std::string(law) +
                            " was not found: the direction of its force did not settle");
 }
 
@@ -240,14 +248,9 @@ Mobility<R> half_film_mobility(const Vector2<R>& e_hat, const R& q, const Vector
   return result;
 }
 
-}  // namespace detail
-
-/// The velocities at which a law's film carries a force; see above.
-/// @param e_hat  ê, and q = 1 − ê·ê of a caller who may know it better;  @param force  F/S on the journal [1/s]
 /// @throws FilmDomainError if ε ≥ 1 or the force is not finite
-/// Accuracy: F(ê, u) is the force to a few roundings times the film's condition, about 6/q.
-template <FilmLaw Law, class R>
-Mobility<R> mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
+template <class R>
+void require_mobility_state(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
   using std::isfinite;
   if (!(q > 0) || !isfinite(force.x()) || !isfinite(force.y())) {
     std::ostringstream message;
@@ -256,6 +259,17 @@ Mobility<R> mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& forc
             << force.x() << ", " << force.y() << "); allowed are eccentricity ratios in [0, 1) and finite forces";
     throw FilmDomainError(message.str());
   }
+}
+
+}  // namespace detail
+
+/// The velocities at which a law's film carries a force; see above.
+/// @param e_hat  ê, and q = 1 − ê·ê of a caller who may know it better;  @param force  F/S on the journal [1/s]
+/// @throws FilmDomainError if ε ≥ 1 or the force is not finite
+/// Accuracy: F(ê, u) is the force to a few roundings times the film's condition, about 6/q.
+template <FilmLaw Law, class R>
+Mobility<R> mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
+  detail::require_mobility_state(e_hat, q, force);
   constexpr bool squeeze_only = SqueezeOnlyLaw<Law>;
   if (is_zero(force)) {
     return {squeeze_only && !is_zero(e_hat) ? MobilityStatus::many : MobilityStatus::found, Vector2<R>(R(0), R(0))};
@@ -269,7 +283,11 @@ Mobility<R> mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& forc
   } else if constexpr (detail::HasClosedMobility<Law>) {
     return {MobilityStatus::found, Vector2<R>(size * detail::ClosedMobility<Law>::at(e_hat, q, unit))};
   } else {
-    return {MobilityStatus::found, Vector2<R>(size * detail::velocity_against<Law>(e_hat, q, Vector2<R>(-unit)))};
+    const Vector2<R> load = -unit;
+    const Vector2<R> u = detail::velocity_against(
+        q, load, detail::first_direction(Law::limit, e_hat, load), Law::name,
+        [&](const Vector2<R>& n) { return detail::DirectionalResistance<Law>::at(e_hat, q, n); });
+    return {MobilityStatus::found, Vector2<R>(size * u)};
   }
 }
 
