@@ -6,14 +6,16 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"
 #include "oracle/measure/bench/bench_tables.hpp"
 #include "oracle/measure/bench/law_bench.hpp"
 #include "oracle/measure/bench/scene_bench.hpp"
+#include "oracle/measure/bench/simbody_case.hpp"
+#include "oracle/measure/bench/sundials_method.hpp"
 #include "oracle/measure/quadrature_bench.hpp"
 #include "oracle/page/provenance.hpp"
 
@@ -108,7 +110,10 @@ void bench_scenes(const BenchOptions& options) {
   const std::string csv = reports::scene_bench_csv(bench.rows);
   options.save("bench-scenes.csv", csv);
   const reports::page::Provenance made = reports::page::provenance(LUBJOINT_VERSION, {{"CLI11", CLI11_VERSION}});
-  options.save("bench-scenes.json", reports::bench_manifest(csv, settings, made.software, made.machine));
+  options.save("bench-scenes.json",
+               reports::bench_manifest(
+                   csv, settings, {{"sundials", reports::sundials_version()}, {"simbody", reports::simbody_version()}},
+                   made.software, made.machine));
   if (options.out) reports::draw_scene_bench(bench.rows, *options.out);
   reports::discard_kept_rows(settings.resume_file);
 }
@@ -200,8 +205,7 @@ int run_bench(BenchOptions options) {
 
 void add_bench(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      app.add_subcommand("bench", words_of("bench"));
+  CLI::App* command = app.add_subcommand("bench", words_of("bench"));
   command->add_option("tables", options->tables, described_tables());
   command->add_option("--scene", options->scene_files, "Scene files in place of those that ship");
   command->add_option("--integrator", options->integrators, "These integrators alone (of scenes)");

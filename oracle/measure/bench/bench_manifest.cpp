@@ -7,8 +7,6 @@
 
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/program_identity.hpp"
-#include "oracle/measure/bench/simbody_case.hpp"
-#include "oracle/measure/bench/sundials_method.hpp"
 
 namespace lubjoint::reports {
 
@@ -22,16 +20,15 @@ nlohmann::ordered_json object(const WordPairs& words) {
 
 }  // namespace
 
-std::string bench_manifest(std::string_view csv, const SceneBenchSettings& settings, const WordPairs& software,
-                           const WordPairs& machine) {
+std::string bench_manifest(std::string_view csv, const SceneBenchSettings& settings, const WordPairs& opponents,
+                           const WordPairs& software, const WordPairs& machine) {
   nlohmann::ordered_json manifest;
   manifest["file"] = "bench-scenes.csv";
   manifest["sha256"] = sha256(csv);
   manifest["program"] = program_identity();
   manifest["repeats"] = settings.limits.repeats;
   manifest["seconds_a_run"] = settings.limits.seconds;
-  manifest["sundials"] = sundials_version();
-  manifest["simbody"] = simbody_version();
+  for (const auto& [name, version] : opponents) manifest[name] = version;
   manifest["software"] = object(software);
   manifest["machine"] = object(machine);
   return manifest.dump(2) + "\n";

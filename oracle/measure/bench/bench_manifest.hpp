@@ -13,10 +13,11 @@ namespace lubjoint::reports {
 using WordPairs = std::vector<std::pair<std::string, std::string>>;
 
 /// @param csv       the rows, which the manifest belongs to by their checksum
+/// @param opponents  "sundials" and "simbody" with their versions; empty where the program was built without
 /// @param software  names and versions of what the program was built with
 /// @param machine   processor, system
-std::string bench_manifest(std::string_view csv, const SceneBenchSettings& settings, const WordPairs& software,
-                           const WordPairs& machine);
+std::string bench_manifest(std::string_view csv, const SceneBenchSettings& settings, const WordPairs& opponents,
+                           const WordPairs& software, const WordPairs& machine);
 
 /// One sentence of it: program, opponents, processor, repeats.
 /// @param name  of the manifest's file, for messages
