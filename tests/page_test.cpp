@@ -201,6 +201,20 @@ TEST_CASE("report: the verdict is good when everything agrees, and names what do
   const std::string unstable = page_of(content);
   CHECK_THAT(section(unstable, "verdict"), Contains(" 1 wrong") && Contains("class=\"verdict bad\""));
   CHECK(count(section(unstable, "stability"), "<td class=\"level-wrong\"") == 1);
+  // The extreme cases' own row says yes only where something was held against a reference to its end.
+  const auto row_of = [](const page::Content& of) {
+    const auto rows = between(section(page_of(of), "verdict"), "extreme cases", "</tr>");
+    REQUIRE(rows.size() == 1);
+    return rows.front();
+  };
+  content = full_content();
+  CHECK_THAT(row_of(content), Contains("✓ ") && Contains(" 0 wrong"));
+  for (auto& row : content.stability->rows) {
+    if (row.status == page::RowStatus::finished) row.status = page::RowStatus::unreferenced;
+  }
+  CHECK_THAT(row_of(content), !Contains("✓") && Contains("– 0 finished"));
+  content.stability->rows[3].status = page::RowStatus::wrong;
+  CHECK_THAT(row_of(content), Contains("✗ 0 finished") && Contains(" 1 wrong"));
   content = full_content();
   content.proofs->statements[1].as_expected = false;
   CHECK_FALSE(content.passed());

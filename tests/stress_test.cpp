@@ -14,8 +14,10 @@
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/stress/stress_report.hpp"
+#include "oracle/mechanisms/journal_films.hpp"
 #include "oracle/results/film_resolution.hpp"
 #include "oracle/trajectories/second_derivation.hpp"
+#include "oracle/trajectories/slider_crank_scene.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lubjoint;
@@ -348,6 +350,87 @@ TEST_CASE("stress: stored references of journals are what another derivation by 
     }
   }
   CHECK(compared == 6 * film_law_names.size());
+}
+
+namespace {
+
+/// A row of a slider-crank's reference, and what the library's law says of its state.
+struct RowForce {
+  double off_side = 0;  ///< of the stored force from the law's on the side of a's sign, over the unit of force
+  double off_jump = 0;  ///< from that of a = 0, in its radial share and in what it has across more than the law's reach
+  bool on_jump = false;  ///< is a 0 to the row's digits?
+};
+
+/// With the spin that the closed loop gives: σ c e_y = −A_y − l sinφ, σ = 1 where the bearing is on the rod.
+template <FilmLaw Law>
+RowForce row_force(const Scene& scene, const StressReference& reference, const ReferencePlace& row) {
+  const SceneJoint& joint = scene.joints.front();
+  const auto m = mechanism_of<double>(scene);
+  const double speed = crank_speed_of(scene);
+  const double sign = scene.bodies[*joint.bearing.body].name == "rod" ? 1 : -1;
+  const double y = m.crank_length * std::sin(speed * row.t);
+  const double y_rate = m.crank_length * speed * std::cos(speed * row.t);
+  const double sine = (-y - sign * joint.clearance * row.place.y()) / m.rod_length;
+  const double spin = (-y_rate - sign * joint.clearance * row.rate.y()) / (m.rod_length * std::sqrt(1 - sine * sine));
+  const double ratio = row.place.norm();
+  const Vector2<double> r = row.place / ratio;
+  const Vector2<double> t(-r.y(), r.x());
+  const double a = -2 * (row.rate.dot(t) - spin / 2 * ratio);
+  const double b = row.rate.dot(r);
+  const double scale = force_scale(Law::limit, Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
+                                   Lubricant<double>(joint.viscosity));
+  const double radial = row.force.dot(r) / scale;
+  const double across = row.force.dot(t) / scale;
+  const auto law = [&](double slip, int side) {
+    return mechanisms::LibraryFilm<Law>::ratio(ratio, (1 - ratio) * (1 + ratio), slip, b, {side, 1});
+  };
+  const auto one = law(a, a < 0 ? -1 : 1);
+  const auto jump = law(0, 1);
+  RowForce found;
+  found.off_side = std::hypot(radial - one[0], across - one[1]) * scale / reference.force_unit;
+  found.off_jump =
+      std::hypot(radial - jump[0], std::max(0.0, std::abs(across) - jump[1])) * scale / reference.force_unit;
+  found.on_jump = std::abs(a) < 1e-8 * reference.rate_unit;  // rates are stored to 11 digits
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("stress: slider-cranks' stored forces with half films are the law's on one side, or lie in its jump") {
+  std::size_t on_jump = 0;
+  std::size_t beside = 0;
+  std::size_t motions = 0;
+  for (const char* name : {"slider-crank-as-shipped", "slider-crank-clearance-2mm", "slider-crank-viscosity-10",
+                           "slider-crank-speed-1e5rpm"}) {
+    for (const char* law : {"short_half", "long_half", "long_half_eq5"}) {
+      const Scene scene = with_law(scene_named(name), law);
+      const StressReference reference = stored_references().of(scene);
+      INFO(name << ' ' << law << ": " << reference.why_none);
+      REQUIRE(reference.whole());
+      ++motions;
+      for (const ReferencePlace& row : reference.rows) {
+        const RowForce found =
+            with_film_law(law, [&]<class Law>() -> RowForce { return row_force<Law>(scene, reference, row); });
+        INFO("t = " << row.t << ": " << found.off_side << ' ' << found.off_jump);
+        // Eleven digits of rates, each of which may move the force by the film's gain.
+        const double digits = 1e-10 * (1 + row.force_gain);
+        CHECK((found.on_jump ? found.off_jump : found.off_side) <= digits);
+        ++(found.on_jump ? on_jump : beside);
+      }
+    }
+  }
+  CHECK(motions == 12);
+  CHECK(on_jump > 10);  // there are slides
+  CHECK(beside > 100);
+  // A force that is off by a thousandth of its unit is seen on either kind of row.
+  const Scene scene = with_law(scene_named("slider-crank-as-shipped"), "long_half");
+  const StressReference reference = stored_references().of(scene);
+  for (ReferencePlace row : reference.rows) {
+    const Vector2<double> r = row.place / row.place.norm();
+    row.force += 1e-3 * reference.force_unit * r;
+    const RowForce found = row_force<LongHalf>(scene, reference, row);
+    CHECK((found.on_jump ? found.off_jump : found.off_side) > 0.9e-3);
+  }
 }
 
 TEST_CASE("stress: the motion's key is of all that moves it, and of no tolerance, integrator or name") {

@@ -64,7 +64,7 @@ void add_stress(CLI::App& app, Action& action) {
                       "Folder for stress.csv and the heat map; a run that was interrupted goes on from what is there");
   CLI::Option* references = command->add_option(
       "--references", options->references,
-      "Makes the reference motions that this folder does not have yet, in extended precision, and runs nothing");
+      "Makes the reference motions that this folder does not have to their end, in extended precision; runs nothing");
   command
       ->add_option("--against", options->against,
                    "Folder with the reference motions that runs are compared with (data/measured)")

@@ -53,15 +53,16 @@ void stability_row(Table& table, const std::optional<Stability>& stability) {
                          [&](const StabilityRow& row) { return row.status == status; });
   };
   const auto wrong = count(RowStatus::wrong);
-  table.row(
-      {"extreme cases",
-       "every run ends: finished as near to a stored motion of other methods as its tolerance lets one expect "
-       "(places, velocities, forces), or with a warning that it may not be, or stopped with a reason",
-       "–",
-       verdict_cell(wrong == 0, fmt::format("{} finished, {} too coarse and said so, {} finished without a reference, "
-                                            "{} stopped, {} wrong",
-                                            count(RowStatus::finished), count(RowStatus::coarse),
-                                            count(RowStatus::unreferenced), count(RowStatus::stopped), wrong))});
+  const auto finished = count(RowStatus::finished);
+  const std::string words =
+      fmt::format("{} finished, {} too coarse and said so, {} finished without a reference, {} stopped, {} wrong",
+                  finished, count(RowStatus::coarse), count(RowStatus::unreferenced), count(RowStatus::stopped), wrong);
+  // Where no run was held against a reference to its end, none could have been found wrong.
+  const Cell verdict = wrong == 0 && finished == 0 ? Cell("– " + words) : verdict_cell(wrong == 0, words);
+  table.row({"extreme cases",
+             "every run ends: finished as near to a stored motion of other methods as its tolerance lets one expect "
+             "(places, velocities, forces), or with a warning that it may not be, or stopped with a reason",
+             "–", verdict});
 }
 
 /// What a user must know before believing any of the laws for this bearing.

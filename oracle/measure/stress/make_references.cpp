@@ -327,7 +327,8 @@ void make_stress_references(const std::vector<StressCase>& cases, const std::vec
       Scene scene = each.scene;
       scene.joints.front().film = law;
       const std::string key = motion_key(scene);
-      if (!references.find(key) && listed.insert(key).second) missing.push_back(scene);
+      const StressReference* known = references.find(key);
+      if ((!known || !known->whole()) && listed.insert(key).second) missing.push_back(scene);
     }
   }
   std::mutex mutex;
@@ -337,6 +338,8 @@ void make_stress_references(const std::vector<StressCase>& cases, const std::vec
     std::cerr << fmt::format("{}, {}: {} rows, places {:.0e} apart, rates {:.0e}, forces {:.0e}{}{}\n", made.scenario,
                              made.law, made.rows.size(), made.apart[0], made.apart[1], made.apart[2],
                              made.why_none.empty() ? "" : "; ", made.why_none);
+    const StressReference* known = references.find(made.key);
+    if (known && !made.whole() && made.rows.size() <= known->rows.size()) return;
     references.add(made);
     references.write(folder);
   });

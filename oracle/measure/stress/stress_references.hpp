@@ -75,8 +75,8 @@ inline constexpr double poor_agreement = 1e-6;
 /// Makes the reference of a scene: none where two methods do not agree, with why.
 StressReference make_stress_reference(const Scene& scene);
 
-/// Makes those of all cases and laws that the folder's files do not have, and writes the files after each: an
-/// interrupted run goes on where it was.
+/// Makes those of all cases and laws that the folder's files do not have to their end, and writes the files after each:
+/// an interrupted run goes on where it was.
 /// @throws OutputError
 void make_stress_references(const std::vector<StressCase>& cases, const std::vector<std::string>& laws,
                             const std::filesystem::path& folder, unsigned threads);
