@@ -123,7 +123,8 @@ class EventRun {
       const bool stepped = method_.try_step(system_.equations(), y, t, dt);
       // A method may have made its step shorter than asked.
       if (stepped && last && goal - t <= R(1e-9) * (goal - step_.t_old)) t = goal;
-      if (!stepped || !close_step(t, y)) {
+      // A step so short that time does not notice is none.
+      if (!stepped || !(t > step_.t_old) || !close_step(t, y)) {
         if (stepped) {
           dt = (t - step_.t_old) / 2;
           method_.reset();
