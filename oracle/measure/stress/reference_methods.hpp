@@ -216,8 +216,9 @@ class Extrapolation {
 
   std::optional<TrialStep<State, R>> trial(const System& system, const R& t, const State& y, const R& h) const {
     const auto scale = scale_of(system, t, y);
-    const auto j = jacobian_of(system, t, y);
     using Matrix = Eigen::Matrix<R, n, n>;
+    // In units of the scales: pivots chosen among places of 1 and rates of 1e9 cost the digits that are extrapolated.
+    const Matrix j = scale.cwiseInverse().asDiagonal() * jacobian_of(system, t, y) * scale.asDiagonal();
     // Changes since the start of the step: small numbers, whose rounding is small.
     std::vector<State> table;
     R error(0);
@@ -226,7 +227,8 @@ class Extrapolation {
       const Eigen::PartialPivLU<Matrix> lu(Matrix(Matrix::Identity() - step * j));
       State moved = State::Zero();
       for (int i = 0; i < k; ++i) {
-        moved += lu.solve(State(step * system.rate(R(t + (i + 1) * step), State(y + moved))));
+        const State rate = system.rate(R(t + (i + 1) * step), State(y + moved));
+        moved += scale.cwiseProduct(lu.solve(State(step * rate.cwiseQuotient(scale))));
       }
       State now = moved;
       for (int m = 1; m < k; ++m) {
