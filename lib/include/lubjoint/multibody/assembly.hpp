@@ -205,7 +205,7 @@ bool project_onto_slides(const PlanarSystem<R>& system, const R& t, std::vector<
   const auto count = static_cast<Eigen::Index>(w.slides.size());
   detail::DenseVector<R> open(count);
   const auto move = [&](R* x) {
-    const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.lu.solve(open);
+    const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.forces_for(open);
     for (std::size_t i = 0; i < system.coordinates(); ++i) x[i] -= by(static_cast<Eigen::Index>(i));
   };
   for (Eigen::Index k = 0; k < count; ++k) open(k) = w.slides[static_cast<std::size_t>(k)].place.across;

@@ -1,7 +1,8 @@
 /// Equations of motion of constrained planar bodies with lubricated joints.
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/QR>
+#include <limits>
 #include <vector>
 
 #include "lubjoint/multibody/constraint.hpp"
@@ -48,10 +49,20 @@ struct ImplicitDifferentiation<T, true> {
 template <class R>
 struct SlideResponse {
   using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix accelerations;             ///< of every coordinate, a column each slide
-  Matrix multipliers;               ///< of every constraint row
-  Eigen::PartialPivLU<Matrix> lu;   ///< of what each does to the acceleration across each line
+  using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+  Matrix accelerations;  ///< of every coordinate, a column each slide
+  Matrix multipliers;    ///< of every constraint row
+  Vector weights;        ///< units of the forces
+  /// Of what a unit of each does to the acceleration across each line.
+  Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
   std::vector<R> solution, lambda;  ///< work
+
+  /// Forces that change the accelerations across the lines by so much. Of journals that hold each other, such as two on
+  /// one pin, only the sum is determined: each then has a part in proportion to its reach.
+  template <class Right>
+  auto forces_for(const Right& accelerations_across) const {
+    return (weights.asDiagonal() * decomposition.solve(accelerations_across)).eval();
+  }
 };
 
 }  // namespace detail
@@ -292,7 +303,7 @@ class PlanarSystem {
 
   /// The tangential forces that keep every journal that slides on its line, put into the workspace:
   ///   Φ̈ = 0,  q̈ = q̈₀ + Σ q̈_k T_k,  q̈_k what T_k = 1 does through mass and constraints.
-  /// The matrix is that of a few numbers, and not symmetric.
+  /// The matrix has as many rows as journals slide, and is not symmetric.
   template <class T>
   void hold_slides(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
     evaluate_slides(memory, w);
@@ -302,6 +313,8 @@ class PlanarSystem {
     const auto rows = static_cast<Eigen::Index>(constraint_rows());
     response.accelerations.setZero(n, count);
     response.multipliers.setZero(rows, count);
+    response.weights.resize(count);
+    using std::abs;
     typename detail::SlideResponse<R>::Matrix matrix(count, count);
     Eigen::Matrix<R, Eigen::Dynamic, 1> wanted(count);
     std::vector<R>& a = response.solution;
@@ -317,7 +330,11 @@ class PlanarSystem {
     for (Eigen::Index k = 0; k < count; ++k) {
       const FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
       wanted(k) = value_of(slide.row.gamma) - value_of(across_line(slide, a));
+      response.weights(k) = abs(value_of(joints_[slide.joint].jump_force(slide.place).reach));
     }
+    const R largest = response.weights.maxCoeff();
+    // So that one without a reach of its own still has a part.
+    response.weights.array() += largest > 0 ? R(largest / 1000) : R(1);
     for (Eigen::Index k = 0; k < count; ++k) {
       std::fill(a.begin(), a.end(), R(0));
       std::fill(lambda.begin(), lambda.end(), R(0));
@@ -331,8 +348,9 @@ class PlanarSystem {
         matrix(i, k) = value_of(across_line(w.slides[static_cast<std::size_t>(i)], a));
       }
     }
-    response.lu.compute(matrix);
-    wanted = response.lu.solve(wanted).eval();
+    response.decomposition.setThreshold(1e4 * std::numeric_limits<R>::epsilon());  // rounding of the rows
+    response.decomposition.compute(matrix * response.weights.asDiagonal());
+    wanted = response.forces_for(wanted);
     for (Eigen::Index k = 0; k < count; ++k) {
       FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
       slide.force = T(wanted(k));
@@ -354,7 +372,7 @@ class PlanarSystem {
       const FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
       change.row(k) = -T(across_line(slide, w.accelerations) - slide.row.gamma).derivatives().transpose();
     }
-    change = response.lu.solve(change).eval();
+    change = response.forces_for(change);
     for (Eigen::Index k = 0; k < count; ++k) {
       FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
       const Derivatives of_force = change.row(k).transpose();
