@@ -125,7 +125,7 @@ class MultibodyPieces {
         list.push_back({size > 0 ? R((hold.reach + hold.needed) / size) : R(0), rounding});
       } else {
         const Slip slip = slip_of_motion(motion, j);
-        const R rounding = unparted_[j] ? std::max<R>(slip.rounding, wrong_side()) : slip.rounding;
+        const R rounding = unparted_[j] ? std::max<R>(slip.rounding, slip.wrong_side) : slip.rounding;
         list.push_back({part_of(j, slip), rounding});
         list.push_back(far);
       }
@@ -198,6 +198,7 @@ class MultibodyPieces {
   struct Slip {
     R sine;           ///< (e × u)/(|e||u|): above 0 where a < 0
     R rounding;       ///< what rounding of the bodies' places and velocities makes of it
+    R wrong_side;     ///< a thousandth of the motion's rates, as far above errors of a run as below the motion
     Vector2<R> line;  ///< r; along u where e is nothing but rounding
     bool centred;     ///< is e nothing but rounding?
     bool at_rest;     ///< is u?
@@ -229,7 +230,7 @@ class MultibodyPieces {
     const R u_rounding = few * speed + abs(mean_spin) * e_rounding;
     const R distance = is_zero(e) ? R(0) : norm(e);
     const R pace = is_zero(u) ? R(0) : norm(u);
-    Slip slip{R(0), R(1), Vector2<R>(R(1), R(0)), !(distance > e_rounding), !(pace > u_rounding)};
+    Slip slip{R(0), R(1), R(1), Vector2<R>(R(1), R(0)), !(distance > e_rounding), !(pace > u_rounding)};
     if (!slip.centred) {
       slip.line = direction(e);
     } else if (!slip.at_rest) {
@@ -238,6 +239,7 @@ class MultibodyPieces {
     if (!slip.centred && !slip.at_rest) {
       slip.sine = lubjoint::cross(direction(e), direction(u));
       slip.rounding = few + e_rounding / distance + u_rounding / pace;
+      slip.wrong_side = (1 + abs(mean_spin) * joint.bearing.clearance() / pace) / 1000;
     }
     return slip;
   }
@@ -251,8 +253,6 @@ class MultibodyPieces {
 
   /// A side begins on a = 0 and may part from it slowly, by less than the errors of the run. It ends at a = 0 once it
   /// has parted; before that, where it is wrong beyond any error.
-  static R wrong_side() { return R(1) / 1000; }
-
   void note_parted(const R& t, const State& y) {
     for (const std::size_t j : watched_) {
       if (!unparted_[j]) continue;
