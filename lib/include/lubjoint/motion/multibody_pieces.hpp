@@ -47,6 +47,7 @@ class MultibodyPieces {
       if (joints[j].has_contact() || joints[j].has_half_film()) watched_.push_back(j);
     }
     slides_since_.resize(joints.size());
+    unparted_.resize(joints.size(), false);
   }
 
   /// The pieces that a start is in.
@@ -124,7 +125,8 @@ class MultibodyPieces {
         list.push_back({size > 0 ? R((hold.reach + hold.needed) / size) : R(0), rounding});
       } else {
         const Slip slip = slip_of_motion(motion, j);
-        list.push_back({ode_.memory()[j].side == FilmSide::mirrored ? slip.sine : R(-slip.sine), slip.rounding});
+        const R rounding = unparted_[j] ? std::max<R>(slip.rounding, slip.wrong_side) : slip.rounding;
+        list.push_back({part_of(j, slip), rounding});
         list.push_back(far);
       }
     }
@@ -132,6 +134,7 @@ class MultibodyPieces {
 
   /// Constraints by projection, where that is their upkeep; journals that slide onto their lines.
   bool hold(const R& t, State& y, bool exactly) {
+    if (!exactly) note_parted(t, y);
     const bool projects = upkeep_ == ConstraintUpkeep::by_projection;
     if (projects) project_onto_constraints(ode_.system(), t, y, ode_.workspace());
     const bool slides = std::any_of(watched_.begin(), watched_.end(),
@@ -195,6 +198,7 @@ class MultibodyPieces {
   struct Slip {
     R sine;           ///< (e × u)/(|e||u|): above 0 where a < 0
     R rounding;       ///< what rounding of the bodies' places and velocities makes of it
+    R wrong_side;     ///< a thousandth of the motion's rates, as far above errors of a run as below the motion
     Vector2<R> line;  ///< r; along u where e is nothing but rounding
     bool centred;     ///< is e nothing but rounding?
     bool at_rest;     ///< is u?
@@ -226,7 +230,7 @@ class MultibodyPieces {
     const R u_rounding = few * speed + abs(mean_spin) * e_rounding;
     const R distance = is_zero(e) ? R(0) : norm(e);
     const R pace = is_zero(u) ? R(0) : norm(u);
-    Slip slip{R(0), R(1), Vector2<R>(R(1), R(0)), !(distance > e_rounding), !(pace > u_rounding)};
+    Slip slip{R(0), R(1), R(1), Vector2<R>(R(1), R(0)), !(distance > e_rounding), !(pace > u_rounding)};
     if (!slip.centred) {
       slip.line = direction(e);
     } else if (!slip.at_rest) {
@@ -235,11 +239,32 @@ class MultibodyPieces {
     if (!slip.centred && !slip.at_rest) {
       slip.sine = lubjoint::cross(direction(e), direction(u));
       slip.rounding = few + e_rounding / distance + u_rounding / pace;
+      slip.wrong_side = (1 + abs(mean_spin) * joint.bearing.clearance() / pace) / 1000;
     }
     return slip;
   }
 
   Slip slip_of(const R& t, const State& y, std::size_t j) { return slip_of_motion(motion_of(t, y, j), j); }
+
+  /// How far a journal is on its film's side.
+  R part_of(std::size_t j, const Slip& slip) const {
+    return ode_.memory()[j].side == FilmSide::mirrored ? slip.sine : R(-slip.sine);
+  }
+
+  /// A side begins on a = 0 and may part from it slowly, by less than the errors of the run. It ends at a = 0 once it
+  /// has parted; before that, where it is wrong beyond any error.
+  void note_parted(const R& t, const State& y) {
+    for (const std::size_t j : watched_) {
+      if (!unparted_[j]) continue;
+      const bool sided = has_side(j) && ode_.memory()[j].side != FilmSide::sliding;
+      if (!sided) {
+        unparted_[j] = false;
+        continue;
+      }
+      const Slip slip = slip_of(t, y, j);
+      unparted_[j] = !(part_of(j, slip) > slip.rounding);
+    }
+  }
 
   /// Of a journal that slides.
   struct Hold {
@@ -269,12 +294,13 @@ class MultibodyPieces {
   /// the film goes to the side to which all other forces drive it. A journal at rest is looked at a moment later, when
   /// its acceleration has given it a direction.
   /// @param line  of the slide that is looked at: set
-  FilmSide side_from_jump(const R& t, const State& y, std::size_t j, Vector2<R>& line) {
+  /// @param repelled  the side where the jump pushes the journal away to both: either would do
+  FilmSide side_from_jump(const R& t, const State& y, std::size_t j, Vector2<R>& line, FilmSide repelled) {
     const Slip slip = slip_of(t, y, j);
     line = slip.line;
     JointMemory<R>& memory = ode_.memory()[j];
     const JointMemory<R> before = memory;
-    FilmSide side = FilmSide::converging;
+    FilmSide side = repelled;
     try {
       R later = t;
       State ahead = y;
@@ -287,8 +313,8 @@ class MultibodyPieces {
       const Hold hold = hold_of(j);
       if (hold.reach > 0 && abs_of(hold.needed) <= hold.reach) {
         side = FilmSide::sliding;
-      } else {
-        side = hold.needed >= hold.reach ? FilmSide::converging : FilmSide::mirrored;
+      } else if (abs_of(hold.needed) > abs_of(hold.reach)) {
+        side = hold.needed > 0 ? FilmSide::converging : FilmSide::mirrored;
       }
     } catch (const std::domain_error&) {  // so near the wall that on its line the journal is at it, to rounding
     }
@@ -361,20 +387,23 @@ class MultibodyPieces {
   void leave_side(const R& t, const State& y, std::size_t j) {
     const FilmSide other = ode_.memory()[j].side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
     Vector2<R> line;
-    const FilmSide next = side_from_jump(t, y, j, line);
-    enter_side(t, y, j, next == FilmSide::sliding ? next : other, line);
+    enter_side(t, y, j, side_from_jump(t, y, j, line, other), line);
+    unparted_[j] = true;
   }
 
   void leave_jump(const R& t, std::size_t j, FilmSide side) {
     end_slide(t, j);
     ode_.memory()[j].side = side;
+    unparted_[j] = true;
   }
 
   void find_side(const R& t, const State& y, std::size_t j) {
     const Slip slip = slip_of(t, y, j);
     Vector2<R> line = slip.line;
-    const FilmSide side = slip.is_on_jump() ? side_from_jump(t, y, j, line) : slip.side();
+    const bool on_jump = slip.is_on_jump();
+    const FilmSide side = on_jump ? side_from_jump(t, y, j, line, FilmSide::converging) : slip.side();
     enter_side(t, y, j, side, line);
+    unparted_[j] = on_jump;
   }
 
   void change_phase(const R& t, const State& y, std::size_t j, bool outwards) {
@@ -405,6 +434,7 @@ class MultibodyPieces {
   R tolerance_;
   std::vector<std::size_t> watched_;  ///< joints with pieces
   std::vector<R> slides_since_;       ///< of each joint
+  std::vector<bool> unparted_;        ///< of each joint: is it on a side that has not left a = 0 yet?
   std::vector<ContactEvent> events_;
   std::vector<JointSlide> slides_;
   std::vector<MemoryChange<R>> changes_;

@@ -199,20 +199,21 @@ bool project_onto_slides(const PlanarSystem<R>& system, const R& t, std::vector<
     const JournalMotion<R>& motion = w.joints[slide.joint].kinematics.motion;
     const R turning = abs(motion.bearing_spin + motion.journal_spin) / 2;
     within = within && abs(slide.place.across) <= allowed &&
-             abs(system.slide_rate(slide, w)) <= allowed * turning + tolerance * abs(slide.place.rate);
+             abs(detail::slide_rate(system, slide, w)) <= allowed * turning + tolerance * abs(slide.place.rate);
   }
   if (within) return false;
   const auto count = static_cast<Eigen::Index>(w.slides.size());
   detail::DenseVector<R> open(count);
   const auto move = [&](R* x) {
-    const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.lu.solve(open);
+    const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.forces_for(open);
     for (std::size_t i = 0; i < system.coordinates(); ++i) x[i] -= by(static_cast<Eigen::Index>(i));
   };
   for (Eigen::Index k = 0; k < count; ++k) open(k) = w.slides[static_cast<std::size_t>(k)].place.across;
   move(y.data());
   system.place(y.data(), w);
-  system.evaluate_slides(memory, w);
-  for (Eigen::Index k = 0; k < count; ++k) open(k) = system.slide_rate(w.slides[static_cast<std::size_t>(k)], w);
+  detail::evaluate_slides(system, memory, w);
+  for (Eigen::Index k = 0; k < count; ++k)
+    open(k) = detail::slide_rate(system, w.slides[static_cast<std::size_t>(k)], w);
   move(y.data() + system.coordinates());
   return true;
 }

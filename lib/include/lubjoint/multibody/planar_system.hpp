@@ -1,12 +1,11 @@
 /// Equations of motion of constrained planar bodies with lubricated joints.
 #pragma once
 
-#include <Eigen/LU>
 #include <vector>
 
 #include "lubjoint/multibody/constraint.hpp"
-#include "lubjoint/multibody/envelope_cholesky.hpp"
-#include "lubjoint/multibody/joint_element.hpp"
+#include "lubjoint/multibody/film_slide.hpp"
+#include "lubjoint/multibody/system_workspace.hpp"
 
 namespace lubjoint {
 
@@ -15,76 +14,6 @@ template <class R>
 struct Baumgarte {
   R alpha = R(0);  ///< damping
   R beta = R(0);   ///< stiffness
-};
-
-namespace detail {
-
-/// What the solve needs beside the workspace on a scalar with derivatives: the numbers, and the derivatives as
-/// right-hand sides of the same factors. On a plain number, nothing.
-template <class T, bool = ScalarTraits<T>::carries_derivatives>
-struct ImplicitDifferentiation {
-  void resize(std::size_t, std::size_t) {}
-};
-template <class T>
-struct ImplicitDifferentiation<T, true> {
-  using R = RealOf<T>;
-  using Derivatives = std::decay_t<decltype(std::declval<T>().derivatives())>;
-  std::vector<ConstraintRow<R>> rows;
-  std::vector<R> accelerations;
-  std::vector<R> multipliers;
-  std::vector<Derivatives> d_accelerations;
-  std::vector<Derivatives> d_multipliers;
-
-  void resize(std::size_t coordinates, std::size_t constraint_rows) {
-    rows.resize(constraint_rows);
-    accelerations.resize(coordinates);
-    multipliers.resize(constraint_rows);
-    d_accelerations.resize(coordinates);
-    d_multipliers.resize(constraint_rows);
-  }
-};
-
-/// Numbers behind the tangential forces of journals that slide: what a unit of each does.
-template <class R>
-struct SlideResponse {
-  using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix accelerations;             ///< of every coordinate, a column each slide
-  Matrix multipliers;               ///< of every constraint row
-  Eigen::PartialPivLU<Matrix> lu;   ///< of what each does to the acceleration across each line
-  std::vector<R> solution, lambda;  ///< work
-};
-
-}  // namespace detail
-
-/// A journal that slides on a = 0, held by the force T n⊥ on it and −T n⊥ at the same point of the bearing's body.
-template <class T>
-struct FilmSlide {
-  std::size_t joint;            ///< its number
-  SlidePlace<T> place;          ///< on its line
-  ConstraintRow<T> row;         ///< of n⊥·e = 0: first the bearing's body
-  std::array<T, 3> on_bearing;  ///< what T = 1 puts on the bearing's body: force, moment
-  std::array<T, 3> on_journal;  ///< on the journal's
-  T force;                      ///< T, the share of eq. 20 in it [N]
-};
-
-/// What a run keeps of a system between evaluations, for one scalar T. Made by PlanarSystem::workspace; an evaluation
-/// takes no other memory.
-template <class T>
-struct SystemWorkspace {
-  using R = RealOf<T>;                        ///< the number itself
-  std::vector<PlanarFrame<T>> frames;         ///< of the bodies
-  PlanarFrame<T> ground{ground_motion<T>()};  ///< what stands in for a body
-  std::vector<ConstraintRow<T>> rows;         ///< of Φ = 0
-  std::vector<JointForce<T>> joints;          ///< what each joint does
-  std::vector<T> shear_torques;               ///< T_J of each joint with shear, in the order of sheared_joints
-  std::vector<T> forces;                      ///< g: loads, weights and joints
-  std::vector<T> accelerations;               ///< q̈
-  std::vector<T> multipliers;                 ///< λ
-  std::vector<FilmSlide<T>> slides;           ///< of the journals that slide, if any
-  detail::SlideResponse<R> slide_response;    ///< of these
-  EnvelopeCholesky<R> schur;                  ///< Φq M⁻¹ Φqᵀ
-  /// Memory for derivatives through the solve.
-  detail::ImplicitDifferentiation<T> implicit;
 };
 
 /// Bodies, constraints, joints. The state is y = (q, q̇), q = (x, y, φ) of every body in turn.
@@ -151,14 +80,14 @@ class PlanarSystem {
       evaluate_constraints(t, w);
       factorise(w);
     }
-    if (!w.slides.empty()) hold_slides(memory, w);
+    if (!w.slides.empty()) detail::hold_slides(*this, memory, w);
     if (constraint_rows() > 0) {
       solve(w);
     } else {
       accelerate_freely(w);
     }
     if constexpr (ScalarTraits<T>::carries_derivatives) {
-      if (!w.slides.empty()) differentiate_slides(w);
+      if (!w.slides.empty()) detail::differentiate_slides(*this, w);
     }
   }
 
@@ -232,47 +161,6 @@ class PlanarSystem {
     }
   }
 
-  /// Rows n⊥·e = 0 of the journals that slide, from the frames, and what their forces act on. With
-  /// d(n⊥)/dt = −ω̄ n:  Φ̇ = n⊥·v − ω̄ n·e,  Φ̈ = n⊥·v̇ − ½(ω̇_i + ω̇_j) n·e − 2ω̄ n·v − ω̄² n⊥·e.
-  /// The force's virtual power is not that of a multiplier of this row: at the bearing's body it turns with ω_i, the
-  /// line with ω̄. The film's work on a spin is what lies between (3.4), unless its shear is modelled.
-  template <class T>
-  void evaluate_slides(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
-    for (FilmSlide<T>& slide : w.slides) {
-      const JointElement<R>& joint = joints_[slide.joint];
-      const PlanarFrame<T>& body_i = frame(joint.bearing_at.body, w);
-      const PlanarFrame<T>& body_j = frame(joint.journal_at.body, w);
-      const JointKinematics<T> k = joint.kinematics(body_i, body_j);
-      slide.place = joint.slide_place(body_i, body_j, k.motion, memory[slide.joint]);
-      const SlidePlace<T>& at = slide.place;
-      const Vector2<T> across = perpendicular(at.line);
-      const T mean_spin = (body_i.spin + body_j.spin) / 2;
-      const T lever_i = dot(at.line, k.bearing_arm);  // n⊥·s_i⊥
-      const T lever_j = dot(at.line, k.journal_arm);
-      slide.row.value = at.across;
-      slide.row.time_rate = T(0);
-      slide.row.gamma = body_j.spin * body_j.spin * dot(across, k.journal_arm) -
-                        body_i.spin * body_i.spin * dot(across, k.bearing_arm) +
-                        2 * mean_spin * dot(at.line, k.motion.velocity) + mean_spin * mean_spin * at.across;
-      slide.row.first = {T(-across.x()), T(-across.y()), T(-lever_i - at.along / 2)};
-      slide.row.second = {across.x(), across.y(), T(lever_j - at.along / 2)};
-      // With shear the film's tangential force turns both bodies: ½ e × F is taken from either (T_J and T_B).
-      const T sheared = joint.shear ? T(at.along / 2) : T(0);
-      slide.on_bearing = {T(-across.x()), T(-across.y()), T(-lever_i - at.along + sheared)};
-      slide.on_journal = {across.x(), across.y(), T(lever_j - sheared)};
-    }
-  }
-
-  /// Φ̇ of a journal's line.
-  template <class T>
-  T slide_rate(const FilmSlide<T>& slide, const SystemWorkspace<T>& w) const {
-    const JointElement<R>& joint = joints_[slide.joint];
-    T rate(0);
-    if (joint.bearing_at.body != ground_body) rate += along(slide.row.first, w.frames[joint.bearing_at.body]);
-    if (joint.journal_at.body != ground_body) rate += along(slide.row.second, w.frames[joint.journal_at.body]);
-    return rate;
-  }
-
   /// Factors of Φq M⁻¹ Φqᵀ of the rows. @throws SingularConstraints
   template <class T>
   void factorise(SystemWorkspace<T>& w) const {
@@ -288,85 +176,6 @@ class PlanarSystem {
       assemble(w.rows, w.schur);
     }
     w.schur.factorise();
-  }
-
-  /// The tangential forces that keep every journal that slides on its line, put into the workspace:
-  ///   Φ̈ = 0,  q̈ = q̈₀ + Σ q̈_k T_k,  q̈_k what T_k = 1 does through mass and constraints.
-  /// The matrix is that of a few numbers, and not symmetric.
-  template <class T>
-  void hold_slides(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
-    evaluate_slides(memory, w);
-    auto& response = w.slide_response;
-    const auto count = static_cast<Eigen::Index>(w.slides.size());
-    const auto n = static_cast<Eigen::Index>(coordinates());
-    const auto rows = static_cast<Eigen::Index>(constraint_rows());
-    response.accelerations.setZero(n, count);
-    response.multipliers.setZero(rows, count);
-    typename detail::SlideResponse<R>::Matrix matrix(count, count);
-    Eigen::Matrix<R, Eigen::Dynamic, 1> wanted(count);
-    std::vector<R>& a = response.solution;
-    std::vector<R>& lambda = response.lambda;
-    const auto constrained = [&] {
-      if (rows > 0) constrain(values_of_rows(w), w.schur, lambda.data(), a.data());
-    };
-    a.resize(coordinates());
-    lambda.resize(constraint_rows());
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] = inverse_mass_[i / 3][i % 3] * value_of(w.forces[i]);
-    for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] = -value_of(wanted_acceleration(i, w));
-    constrained();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
-      wanted(k) = value_of(slide.row.gamma) - value_of(across_line(slide, a));
-    }
-    for (Eigen::Index k = 0; k < count; ++k) {
-      std::fill(a.begin(), a.end(), R(0));
-      std::fill(lambda.begin(), lambda.end(), R(0));
-      for_each_side(w.slides[static_cast<std::size_t>(k)], [&](std::size_t body, const auto&, const auto& push) {
-        for (std::size_t c = 0; c < 3; ++c) a[3 * body + c] += inverse_mass_[body][c] * value_of(push[c]);
-      });
-      constrained();
-      for (Eigen::Index i = 0; i < n; ++i) response.accelerations(i, k) = a[static_cast<std::size_t>(i)];
-      for (Eigen::Index i = 0; i < rows; ++i) response.multipliers(i, k) = lambda[static_cast<std::size_t>(i)];
-      for (Eigen::Index i = 0; i < count; ++i) {
-        matrix(i, k) = value_of(across_line(w.slides[static_cast<std::size_t>(i)], a));
-      }
-    }
-    response.lu.compute(matrix);
-    wanted = response.lu.solve(wanted).eval();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
-      slide.force = T(wanted(k));
-      for_each_side(slide, [&](std::size_t body, const auto&, const auto& push) {
-        for (std::size_t c = 0; c < 3; ++c) w.forces[3 * body + c] += push[c] * slide.force;
-      });
-      push_journal(slide, slide.force, w);
-    }
-  }
-
-  /// After a solve with the tangential forces held at their values: Φ̈ = 0 gives their derivatives.
-  template <class T>
-  void differentiate_slides(SystemWorkspace<T>& w) const {
-    using Derivatives = typename detail::ImplicitDifferentiation<T>::Derivatives;
-    const detail::SlideResponse<R>& response = w.slide_response;
-    const auto count = static_cast<Eigen::Index>(w.slides.size());
-    Eigen::Matrix<R, Eigen::Dynamic, Derivatives::RowsAtCompileTime> change(count, Derivatives::RowsAtCompileTime);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
-      change.row(k) = -T(across_line(slide, w.accelerations) - slide.row.gamma).derivatives().transpose();
-    }
-    change = response.lu.solve(change).eval();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      FilmSlide<T>& slide = w.slides[static_cast<std::size_t>(k)];
-      const Derivatives of_force = change.row(k).transpose();
-      for (std::size_t i = 0; i < coordinates(); ++i) {
-        w.accelerations[i].derivatives() += response.accelerations(static_cast<Eigen::Index>(i), k) * of_force;
-      }
-      for (std::size_t i = 0; i < constraint_rows(); ++i) {
-        w.multipliers[i].derivatives() += response.multipliers(static_cast<Eigen::Index>(i), k) * of_force;
-      }
-      push_journal(slide, T(R(0), of_force), w);
-      slide.force.derivatives() = of_force;
-    }
   }
 
   /// λ and q̈ from forces, rows and factors.
@@ -426,6 +235,27 @@ class PlanarSystem {
     return rate;
   }
 
+  /// Frame of a body of an evaluated workspace, or of the ground.
+  template <class T>
+  const PlanarFrame<T>& frame(std::size_t body, const SystemWorkspace<T>& w) const {
+    return body == ground_body ? w.ground : w.frames[body];
+  }
+
+  /// γ − 2αΦ̇ − β²Φ
+  template <class T>
+  T wanted_acceleration(std::size_t row, const SystemWorkspace<T>& w) const {
+    const R& alpha = stabilisation_.alpha;
+    const R& beta = stabilisation_.beta;
+    if (alpha == 0 && beta == 0) return w.rows[row].gamma;
+    return T(w.rows[row].gamma - 2 * alpha * constraint_rate(row, w) - (beta * beta) * w.rows[row].value);
+  }
+
+  /// From −wanted in lambda and M⁻¹g in a to λ and q̈, with the rows and factors of a workspace.
+  template <class T>
+  void constrain(const SystemWorkspace<T>& w, R* lambda, R* a) const {
+    if (constraint_rows() > 0) constrain(values_of_rows(w), w.schur, lambda, a);
+  }
+
   /// Body i of a row, or ground_body.
   std::size_t first_body_of_row(std::size_t row) const { return sides_[row].first; }
   /// Body j of a row, or ground_body.
@@ -483,11 +313,6 @@ class PlanarSystem {
   }
 
   template <class T>
-  const PlanarFrame<T>& frame(std::size_t body, const SystemWorkspace<T>& w) const {
-    return body == ground_body ? w.ground : w.frames[body];
-  }
-
-  template <class T>
   void add(std::size_t body, const Wrench<T>& wrench, const T& couple, SystemWorkspace<T>& w) const {
     if (body == ground_body) return;
     w.forces[3 * body] += wrench.force.x();
@@ -498,15 +323,6 @@ class PlanarSystem {
   template <class T>
   static T along(const std::array<T, 3>& columns, const PlanarFrame<T>& body) {
     return T(columns[0] * body.velocity.x() + columns[1] * body.velocity.y() + columns[2] * body.spin);
-  }
-
-  /// γ − 2αΦ̇ − β²Φ
-  template <class T>
-  T wanted_acceleration(std::size_t row, const SystemWorkspace<T>& w) const {
-    const R& alpha = stabilisation_.alpha;
-    const R& beta = stabilisation_.beta;
-    if (alpha == 0 && beta == 0) return w.rows[row].gamma;
-    return T(w.rows[row].gamma - 2 * alpha * constraint_rate(row, w) - (beta * beta) * w.rows[row].value);
   }
 
   void assemble(const std::vector<ConstraintRow<R>>& rows, EnvelopeCholesky<R>& schur) const {
@@ -534,36 +350,6 @@ class PlanarSystem {
     for (std::size_t row = 0; row < sides_.size(); ++row) {
       if (sides_[row].first != ground_body) act(row, sides_[row].first, false);
       if (sides_[row].second != ground_body) act(row, sides_[row].second, true);
-    }
-  }
-
-  /// Calls act(body, row's columns, force's columns) for both sides of a slide that are bodies.
-  template <class T, class Act>
-  void for_each_side(const FilmSlide<T>& slide, const Act& act) const {
-    const JointElement<R>& joint = joints_[slide.joint];
-    if (joint.bearing_at.body != ground_body) act(joint.bearing_at.body, slide.row.first, slide.on_bearing);
-    if (joint.journal_at.body != ground_body) act(joint.journal_at.body, slide.row.second, slide.on_journal);
-  }
-
-  /// Φq x of a slide's row. V: R or T.
-  template <class T, class V>
-  T across_line(const FilmSlide<T>& slide, const std::vector<V>& x) const {
-    T sum(0);
-    for_each_side(slide, [&](std::size_t body, const auto& columns, const auto&) {
-      for (std::size_t c = 0; c < 3; ++c) sum += columns[c] * x[3 * body + c];
-    });
-    return sum;
-  }
-
-  /// A tangential force into the joint's results; the bodies have theirs.
-  template <class T>
-  void push_journal(const FilmSlide<T>& slide, const T& force, SystemWorkspace<T>& w) const {
-    const Vector2<T>& n = slide.place.line;
-    Vector2<T>& film = w.joints[slide.joint].film;
-    film.x() -= force * n.y();
-    film.y() += force * n.x();
-    for (std::size_t k = 0; k < sheared_joints_.size(); ++k) {
-      if (sheared_joints_[k] == slide.joint) w.shear_torques[k] -= force * slide.place.along / 2;
     }
   }
 

@@ -108,7 +108,7 @@ class EventRun {
     std::size_t stall_steps = 0;
     while (t_end - t > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) return {RunEnd::step_limit, 0};
-      if (++stall_steps > stall_limit) {
+      if (++stall_steps >= stall_limit) {
         if (t - stall_mark < R(stall_share) * t_end) return {RunEnd::stalled, 0};
         stall_mark = t;
         stall_steps = 0;
