@@ -43,6 +43,12 @@ class ScriptedSteps final : public Method {
   std::unique_ptr<Method> fresh() const override { return std::make_unique<ScriptedSteps>(*this); }
   void refine_end_rate(State&) const override { ++requests_.end_rates; }
   std::size_t looks_inside() const override { return 2; }
+  /// As an implicit method's, whose samples inside a step are on the interpolant.
+  StepperCounts counts() const override {
+    StepperCounts made;
+    made.jacobians = requests_.tried.size();
+    return made;
+  }
 
  private:
   TrialStep step_;

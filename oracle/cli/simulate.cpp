@@ -30,9 +30,11 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<std::
 }
 
 /// Where the film model itself is in doubt, or the tolerance too coarse for the film.
-void warn(const Scene& scene, const SceneJoint& joint, double thinnest_film, const reports::VisitedModelError& error) {
+void warn(const Scene& scene, const SceneJoint& joint, const RunOutcome& outcome, double thinnest_film,
+          const reports::VisitedModelError& error) {
   for (const std::string& warning :
-       {reports::resolution_warning(scene, joint, thinnest_film), reports::model_warning(joint, error)}) {
+       {reports::resolution_warning(scene, joint, thinnest_film),
+        reports::kink_warning(scene, joint, outcome.integrator), reports::model_warning(joint, error)}) {
     if (!warning.empty()) std::cerr << warning << '\n';
   }
 }
@@ -59,13 +61,14 @@ void add_simulate(CLI::App& app, Action& action) {
       if (is_free_journal(scene)) {
         const JournalTrajectory run = simulate_journal(scene);
         report(scene, run, options->out, options->json);
-        warn(scene, scene.joints[0], reports::thinnest_film(scene, run), reports::visited_model_error(scene, run));
+        warn(scene, scene.joints[0], run.outcome, reports::thinnest_film(scene, run),
+             reports::visited_model_error(scene, run));
         return run.outcome.status == RunStatus::finished ? 0 : 1;
       }
       const MultibodyTrajectory run = simulate_multibody(scene);
       report(scene, run, options->out, options->json);
       for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-        warn(scene, scene.joints[j], reports::thinnest_film(scene, j, run),
+        warn(scene, scene.joints[j], run.outcome, reports::thinnest_film(scene, j, run),
              reports::visited_model_error(scene, j, run));
       }
       return run.outcome.status == RunStatus::finished ? 0 : 1;

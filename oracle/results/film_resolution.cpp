@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lubjoint/film/law_facts.hpp"
+
 namespace lubjoint::reports {
 
 double tolerance_of_places(const Scene& scene) {
@@ -39,6 +41,19 @@ std::string resolution_warning(const Scene& scene, const SceneJoint& joint, doub
       leaves_no_digit(scene, thinnest) ? ", and no digit of velocities and forces is known" : "",
       needed >= tightest_tolerance ? fmt::format("Tolerance {:.0e} would resolve it.", needed)
                                    : "No tolerance resolves it in double precision.");
+}
+
+std::string kink_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
+  const double tolerance = tolerance_of_places(scene);
+  if (integrator != "fehlberg78" || joint.film == no_film || !(tolerance < kink_tolerance)) return {};
+  if (!law_facts(joint.film).kinks) return {};
+  return fmt::format(
+      "warning: the force of {} in joint \"{}\" has a kink where the squeeze changes sign, and {}'s estimate of its "
+      "error "
+      "does not see it: places may be off by {:.0e} clearances, more than the tolerance of {:.0e}. dopri5 and "
+      "radau_iia5 "
+      "keep it.",
+      joint.film, joint.name, integrator, kink_error, tolerance);
 }
 
 }  // namespace lubjoint::reports

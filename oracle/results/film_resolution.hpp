@@ -35,4 +35,16 @@ bool leaves_no_digit(const Scene& scene, double thinnest);
 /// @param thinnest  as above
 std::string resolution_warning(const Scene& scene, const SceneJoint& joint, double thinnest);
 
+/// Fehlberg's estimate of a step's error looks at the step's ends alone and does not see a kink of the force inside it,
+/// as Pinkus and Sternlicht's where ε̇ changes sign. It leaves 1e-9 clearances in a run of the impact, whatever the
+/// tolerance; below this tolerance that is no longer small.
+inline constexpr double kink_tolerance = 1e-11;
+/// What it may leave: ten times that [clearances].
+inline constexpr double kink_error = 1e-8;
+
+/// Says so, with what keeps the tolerance; empty where the law has no kink, the tolerance is looser, or another
+/// integrator made the run.
+/// @param integrator  that made the run
+std::string kink_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator);
+
 }  // namespace lubjoint::reports

@@ -35,7 +35,7 @@ class Journal {
 
   bool jumps() const { return law_.find("half") != std::string::npos; }
   /// Pinkus–Sternlicht is once differentiable where ε̇ changes sign: an integrator of high order must stop there.
-  bool kinks() const { return law_ == "pinkus_sternlicht"; }
+  bool kinks() const { return law_facts(law_).kinks; }
 
   /// F_r/S, F_t/S with the half film on the side of the sign given.
   std::array<Real, 2> ratio(const Real& epsilon, const Real& a, const Real& b, int side) const {

@@ -84,7 +84,7 @@ class JournalForces {
 
   bool jumps() const { return law_.find("half") != std::string::npos; }
   /// Pinkus–Sternlicht: once differentiable where ε̇ changes sign.
-  bool kinks() const { return law_ == "pinkus_sternlicht"; }
+  bool kinks() const { return law_facts(law_).kinks; }
   bool sides() const { return jumps() || kinks(); }
   const R& clearance() const { return clearance_; }
 

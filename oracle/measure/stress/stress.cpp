@@ -96,8 +96,11 @@ StressRun run_multibody(const Scene& scene) {
 StressRun run_scene(const Scene& scene) {
   try {
     StressRun run = is_free_journal(scene) ? run_journal(scene) : run_multibody(scene);
-    const std::string coarse = resolution_warning(scene, scene.joints.front(), run.thinnest_film);
-    run.warning = coarse + (coarse.empty() || run.warning.empty() ? "" : "; ") + run.warning;
+    const SceneJoint& joint = scene.joints.front();
+    for (const std::string& coarse :
+         {resolution_warning(scene, joint, run.thinnest_film), kink_warning(scene, joint, run.outcome.integrator)}) {
+      run.warning += (coarse.empty() || run.warning.empty() ? "" : "; ") + coarse;
+    }
     const RunOutcome& outcome = run.outcome;
     const auto fault = [&](const std::string& what) {
       if (run.fault.empty()) run.fault = what;
@@ -131,6 +134,7 @@ StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const Stres
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
+  if (!kink_warning(scene, scene.joints.front(), run.outcome.integrator).empty()) accuracy.kink_error = kink_error;
   if (is_free_journal(scene)) {
     const double both = scene.run.relative_tolerance + scene.run.absolute_tolerance;
     accuracy.tolerance = std::sqrt(4.0) * std::max(both, tightest_tolerance);

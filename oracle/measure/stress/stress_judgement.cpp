@@ -78,15 +78,11 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     const double rates = expected * run.rate_share;
     const std::array<double, 3> limits = {expected, rates, rates * row.force_gain};
     constexpr double open = std::numeric_limits<double>::infinity();
-    double warned_of = expected;
-    if (run.jumps > 0) {
-      const double all = static_cast<double>(run.steps) * (run.tolerance + run.rounding) * row.growth;
-      warned_of = std::max(expected, std::min(all, 0.1));
-    }
-    const bool open_force = run.no_digit || run.jumps > 0 || share == 1;
+    const double warned_of = expected + run.kink_error * row.growth;
+    const bool open_force = run.no_digit || share == 1;
     const std::array<double, 3> warned = {run.no_digit ? 1.0 : std::min(1.0, warned_of + share * way),
                                           run.no_digit ? open : warned_of * run.rate_share + share * (1 + speed),
-                                          open_force ? open : limits[2]};
+                                          open_force ? open : warned_of * run.rate_share * row.force_gain};
     static constexpr std::array<const char*, 3> names = {"place", "rate", "force"};
     for (std::size_t k = 0; k < 3; ++k) {
       largest[k] = std::max(largest[k], errors[k]);

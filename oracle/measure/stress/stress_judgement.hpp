@@ -36,7 +36,7 @@ struct StressAccuracy {
   std::size_t steps = 0;     ///< accepted
   double rate_share = 1;     ///< over V, what the tolerance of rates refers to; at least 1
   bool no_digit = false;     ///< does its warning say that no digit of velocities and forces is known?
-  std::size_t jumps = 0;     ///< steps that met a half film's jump, as its warning says
+  double kink_error = 0;     ///< of places that a kink leaves, as its warning says [clearances]
 };
 
 /// Errors are largest over the output times up to where the run came; none where nothing was compared.

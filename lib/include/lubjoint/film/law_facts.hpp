@@ -23,6 +23,7 @@ struct LawFacts {
   BearingLimit limit;      ///< which force scale
   FilmExtent extent;       ///< where its film carries pressure
   bool has_pressure;       ///< is the force the integral of a pressure field?
+  bool kinks;              ///< is it only once differentiable where b changes sign?
   bool jumps;              ///< does the force jump where a changes sign?
   Potential potential;     ///< what it derives from
 

@@ -24,11 +24,17 @@ namespace lubjoint {
 using FilmLaws =
     std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
 
+/// A law whose header says that it kinks where b changes sign.
+template <class Law>
+concept KinkedLaw = requires {
+  requires Law::kinks;
+};
+
 /// What each law's header says of it, in the order of FilmLaws.
 inline constexpr auto facts_of_film_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
   return std::array<LawFacts, sizeof...(Law)>{LawFacts{Law::name, Law::words, Law::limit, Law::extent,
-                                                       Law::has_pressure, Law::extent == FilmExtent::half,
-                                                       Law::potential}...};
+                                                       Law::has_pressure, KinkedLaw<Law>,
+                                                       Law::extent == FilmExtent::half, Law::potential}...};
 }(std::type_identity<FilmLaws>{});
 
 /// Names of the laws, in the order of FilmLaws.

@@ -19,6 +19,7 @@ struct PinkusSternlicht {
   static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< the film it approximates: θs…θs + π
   static constexpr std::string_view words = "Pinkus–Sternlicht";     ///< for people
   static constexpr bool has_pressure = false;                        ///< no pressure field has this force
+  static constexpr bool kinks = true;                                ///< where b changes sign, φ has two slopes
   static constexpr Potential potential = Potential::none;            ///< ∂F/∂u is not symmetric
 
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
