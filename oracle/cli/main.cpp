@@ -6,6 +6,7 @@
 #include "oracle/files/files.hpp"
 
 int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);  // nothing here reads or writes with C's streams but progress, on standard error
   lubjoint::reports::remove_temporary_files_on_interrupt();
   CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
   lubjoint::cli::Action action;
