@@ -36,4 +36,9 @@ std::string outcome_text(const std::string& scene, const std::string& law, const
   return text;
 }
 
+std::string extremes_text(double eccentricity_ratio, double film, double t_film, double force, double t_force) {
+  return fmt::format("  extremes   eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
+                     eccentricity_ratio, 1e6 * film, t_film, force, t_force);
+}
+
 }  // namespace lubjoint::reports

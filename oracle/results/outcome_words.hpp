@@ -17,4 +17,7 @@ nlohmann::ordered_json outcome_json(const std::string& scene, const std::string&
 std::string outcome_text(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                          double wall_seconds);
 
+/// The line of a joint's extremes: largest ε with the film there [m] and when, largest force [N] and when [s].
+std::string extremes_text(double eccentricity_ratio, double film, double t_film, double force, double t_force);
+
 }  // namespace lubjoint::reports
