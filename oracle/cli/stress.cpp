@@ -78,6 +78,11 @@ void add_stress(CLI::App& app, Action& action) {
     action = [options] {
       const std::vector<reports::StressCase> cases = wanted_cases(*options);
       if (options->references) {
+        if (options->out || !options->integrators.empty()) {
+          throw std::invalid_argument(
+              "--out and --integrator have no effect with --references, whose methods are its own; allowed are --case, "
+              "--law, --quick, --jobs and --scenes");
+        }
         const reports::StressSettings all = reports::stress_settings(options->quick);
         reports::prepare_folder(*options->references);
         reports::make_stress_references(cases, options->laws.empty() ? all.laws : options->laws, *options->references,
