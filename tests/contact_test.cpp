@@ -6,6 +6,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::test;
@@ -52,6 +53,47 @@ TEST_CASE("dry impact: the exit speed is the exact one, whatever the speed and t
       CHECK(*run.energy_residual < 100 * 1e-10 * run.energy_scale);
     }
   }
+}
+
+TEST_CASE("contact: a start in penetration is read, and an elastic wall gives back the work that it would have taken") {
+  const TemporaryFolder folder;
+  const double depth = 2e-6;
+  const std::string text = R"(name = "inside-the-wall"
+duration = 2e-4
+[[bodies]]
+name = "journal"
+mass = 0.13
+inertia = 2.5e-4
+position = [2.02e-4, 0.0]
+[[joints]]
+name = "bearing"
+film = "none"
+journal_radius = 0.0098
+clearance = 0.0002
+bearing = {body = "ground", point = [0.0, 0.0]}
+journal = {body = "journal", point = [0.0, 0.0]}
+[joints.contact]
+bearing_modulus = 207e9
+bearing_poisson = 0.3
+journal_modulus = 207e9
+journal_poisson = 0.3
+restitution = 1.0
+min_impact_speed = 1e-3
+[integrator]
+relative_tolerance = 1e-10
+)";
+  const MultibodyTrajectory run = simulate_multibody(load_scene(folder.write("scene.toml", text)));
+  INFO(run.outcome.message);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  REQUIRE(!run.events.empty());
+  const double modulus = 1 / (2 * (1 - 0.3 * 0.3) / 207e9);
+  const double stiffness = 4.0 / 3 * std::sqrt(0.01 * 0.0098 / 0.0002) * modulus;
+  const double work = 0.4 * stiffness * std::pow(depth, 2.5);  // of Kδ^{3/2}
+  const double exit = std::sqrt(2 * work / 0.13);
+  CHECK(std::abs(-run.events[0].normal_speed / exit - 1) < 1e-7);  // tolerance × stiffness, and depth to 1e-14/2e-6
+  // Without contact such a start is still refused, and the message names it as the way out.
+  const std::string dry = text.substr(0, text.find("[joints.contact]"));
+  CHECK_THROWS_WITH(load_scene(folder.write("dry.toml", dry)), Contains("eccentricity ratio 1.01"));
 }
 
 TEST_CASE("contact: entry is located to 1e-12 s") {

@@ -199,6 +199,24 @@ TEST_CASE("Equilibrium: an orbit in a full film grows, as slowly as the journal'
   }
 }
 
+TEST_CASE("Equilibrium: a film whose stiffness is beyond double precision is refused, and no number is none") {
+  for_each_film_law([&]<class Law>() {
+    INFO(Law::name);
+    for (const double spin : {1e150, 1e300, 1e308}) {
+      Scene scene = journal_with(Law::name);
+      scene.bodies.front().spin = spin;
+      try {
+        const JournalEquilibrium rest = journal_equilibrium(scene);
+        CHECK(rest.stiffness.allFinite());
+        CHECK(rest.damping.allFinite());
+        for (const auto& value : rest.eigenvalues) CHECK((std::isfinite(value.real()) && std::isfinite(value.imag())));
+      } catch (const std::exception& error) {  // what the program ends with is its message
+        CHECK_THAT(error.what(), Catch::Matchers::Contains("allowed"));
+      }
+    }
+  });
+}
+
 TEST_CASE("Equilibrium: a load that no eccentricity carries is refused, not answered") {
   for (const double load : {1e300, 1e-320}) {
     INFO(load);

@@ -1,6 +1,7 @@
 // `model-error`: each law against the film of finite length, run as a user runs it.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -63,8 +64,9 @@ TEST_CASE("model-error: a scene and its bearing given by hand say the same, with
   }
   // Where the ends leak, the journal sinks deeper than the long film says, and where p >= 0 the half film is too weak.
   const double long_half = equilibrium_in(of_scene.out, "long_half").first;
-  CHECK(equilibrium_in(of_scene.out, "finite_reynolds").first > long_half);
-  CHECK(equilibrium_in(of_scene.out, "finite_half").first > equilibrium_in(of_scene.out, "finite_reynolds").first);
+  CHECK(equilibrium_in(of_scene.out, "finite_reynolds, free onset").first > long_half);
+  CHECK(equilibrium_in(of_scene.out, "finite_half").first >
+        equilibrium_in(of_scene.out, "finite_reynolds, free onset").first);
 
   CHECK(folder.entries() == std::set<std::string>{"out", "out/model-error-finite_dynamic.png",
                                                   "out/model-error-finite_dynamic.svg",
@@ -81,6 +83,38 @@ TEST_CASE("model-error: a scene and its bearing given by hand say the same, with
   }
   CHECK(states.size() == 3 * lubjoint::film_law_names.size());
   for (const auto& [pair, count] : states) CHECK(count == states.begin()->second);
+}
+
+TEST_CASE("model-error: the report begins with its verdict, which is that of its own table") {
+  const ProgramResult result = lubjoint_program(model_error(journal));
+  REQUIRE(result.status == 0);
+  const std::string first = result.out.substr(0, result.out.find('\n'));
+  INFO(result.out);
+  CHECK_THAT(first, Catch::Matchers::StartsWith("least wrong for this bearing: "));
+  // The law with the least median of the table.
+  std::string best;
+  double least = 1e300;
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string film, law, median, unit;
+    words >> film >> law >> median >> unit;
+    if (film != "finite_reynolds" || (unit != "%" && unit != "times")) continue;
+    const double value = std::stod(median) * (unit == "%" ? 0.01 : 1);
+    if (value >= least) continue;
+    least = value;
+    best = law;
+  }
+  REQUIRE(!best.empty());
+  CHECK_THAT(first, Contains(": " + best + ", median "));
+  const double rest = equilibrium_in(result.out, best).first;
+  const double real = equilibrium_in(result.out, "finite_reynolds, free onset").first;
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(3) << "rests at e/c " << rest << " instead of " << real;
+  CHECK_THAT(first, Contains(words.str()) && Contains("least film "));
+  CHECK(result.out.find("000 %") == std::string::npos);  // "12422 times", not "1242175 %"
+  const ProgramResult unloaded = lubjoint_program(model_error({"--length", "0.001", "--radius", "0.01"}));
+  CHECK(unloaded.out.substr(0, unloaded.out.find('\n')).find("rests") == std::string::npos);
 }
 
 TEST_CASE("model-error: the short laws are right in a short bearing, and say so") {

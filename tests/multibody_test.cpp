@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "lubjoint/multibody/assembly.hpp"
@@ -110,12 +111,38 @@ TEST_CASE("a constraint that repeats others is named, with the others and the ra
   CHECK_THAT(message, Contains("\"second-guide\" repeats") && Contains("\"guide\"") && Contains("11 rows of rank 9"));
 }
 
+TEST_CASE("two drivers of one body are conflicting if their speeds or accelerations differ, and repeat if not") {
+  Scene scene = load_scene(scenes + "slider-crank-ideal.toml");
+  const auto motor = std::find_if(scene.constraints.begin(), scene.constraints.end(),
+                                  [](const auto& each) { return std::holds_alternative<SceneDriver>(each.kind); });
+  REQUIRE(motor != scene.constraints.end());
+  SceneDriver second = std::get<SceneDriver>(motor->kind);
+  const std::string first_name = motor->name;
+  const auto with_second = [&](const SceneDriver& driver) {
+    Scene both = scene;
+    both.constraints.push_back({"second-motor", driver});
+    return assembly_error(both);
+  };
+  CHECK_THAT(with_second(second), Contains("\"second-motor\" repeats"));
+  SceneDriver other = second;
+  other.speed *= 1.01;
+  CHECK_THAT(with_second(other), Contains("\"second-motor\" is conflicting: it demands another velocity") &&
+                                     Contains("\"" + first_name + "\""));
+  other = second;
+  other.acceleration += 1;
+  CHECK_THAT(with_second(other), Contains("\"second-motor\" is conflicting: it demands another acceleration"));
+  other = second;
+  other.angle += 0.1;
+  CHECK_THAT(with_second(other), Contains("the constraints are conflicting: no position"));
+}
+
 TEST_CASE("constraints that contradict each other: the open one is named, with its gap") {
   Scene scene = load_scene(scenes + "slider-crank-ideal.toml");
   scene.constraints.push_back({"wall", GroundConstraint<double>{2, {0.2, 0.0}, 0.0}});  // beyond crank and rod together
   const std::string message = assembly_error(scene);
-  CHECK_THAT(message, Contains("no position near the start fulfils all constraints") && Contains("rank"));
-  CHECK_THROWS_WITH(simulate_multibody(scene), Contains("constraints: no position"));
+  CHECK_THAT(message, Contains("the constraints are conflicting: no position near the start fulfils them all") &&
+                          Contains("rank"));
+  CHECK_THROWS_WITH(simulate_multibody(scene), Contains("constraints: the constraints are conflicting"));
 }
 
 TEST_CASE("a start that misses its constraints is brought onto them, and the correction is reported") {

@@ -236,6 +236,30 @@ TEST_CASE("Options: accuracy refuses counts and seeds that are none") {
   check_refused({"accuracy", "--directions", "1000001"}, {"--directions"});
 }
 
+TEST_CASE("Options: one that would have no effect is refused") {
+  const std::string scenes = LUBJOINT_SOURCE_DIR "/data/scenes/";
+  const TemporaryFolder folder;
+  const auto oracle = [](const Words& film) {
+    Words words = force({{"--law", ""}});
+    words.insert(words.begin(), "oracle");
+    words.insert(words.end(), film.begin(), film.end());
+    return words;
+  };
+  check_refused({"simulate", scenes + "slider-crank-ideal.toml", "--law", "short_half"},
+                {"--law has no effect", "no joint with a film"});
+  check_refused({"cost", scenes + "slider-crank-ideal.toml", "--law", "short_half"}, {"--law has no effect"});
+  check_refused(oracle({"--film=finite_half", "--rule=gauss_legendre"}), {"--rule has no effect on finite_half"});
+  check_refused(oracle({"--film=short_half", "--onset=free"}), {"--onset has no effect on short_half"});
+  check_refused({"model-error", scene, "--clearance", "1e-4"}, {"not both", "allowed"});
+  check_refused({"model-error", "--length=0.02", "--radius=0.01", "--clearance=-1"}, {"--clearance is -1"});
+  check_refused({"accuracy", "--directions", "0", "--seed", "2"}, {"--seed has no effect"});
+  check_refused({"stress", "--references", folder / "r", "--out", folder / "o"}, {"have no effect with --references"});
+  check_refused({"stress", "--references", folder / "r", "--integrator", "dopri5"}, {"have no effect"});
+  check_refused({"sweep", scene, "--vary", "bodies[0].mass=1,2", "--out", folder / "o", "--merge", "--jobs", "2"},
+                {"--jobs has no effect with --merge"});
+  CHECK(folder.entries().empty());
+}
+
 TEST_CASE("Options: a standard output that takes nothing is an error, not a success") {
   for (const Words& command : {Words{"simulate", scene, "--json"}, Words{"equilibrium", scene}, force()}) {
     const ProgramResult result = lubjoint_program(command, {.input = good_states, .output = "/dev/full"});

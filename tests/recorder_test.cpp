@@ -4,6 +4,8 @@
 
 #include "lubjoint/motion/journal_recorder.hpp"
 #include "lubjoint/motion/multibody_recorder.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
 
 using namespace lubjoint;
 
@@ -80,6 +82,23 @@ TEST_CASE("journal recorder: samples at every multiple of the interval and at th
     CHECK(sample.force == mode.force(sample.t, sample.state));
   }
   CHECK(found == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
+}
+
+TEST_CASE("output times: one within rounding of the end is the end, in either kind of run") {
+  REQUIRE(3 * 0.3 < 0.9);  // by rounding: 0.8999999999999999
+  Scene scene = load_scene(LUBJOINT_SOURCE_DIR "/data/scenes/journal.toml");
+  scene.run.duration = 0.9;
+  scene.run.output_interval = 0.3;
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-4;
+  const auto times = [](const auto& run) {
+    std::vector<double> found;
+    for (const auto& sample : run.samples) found.push_back(sample.t);
+    return found;
+  };
+  const std::vector<double> wanted{0, 0.3, 0.6, 0.9};
+  CHECK(times(simulate_journal(scene)) == wanted);
+  scene.energy_ledger = true;  // no free journal any more
+  CHECK(times(simulate_multibody(scene)) == wanted);
 }
 
 TEST_CASE("journal recorder: a peak inside a step is found where it is, between the looks beside it") {

@@ -6,6 +6,7 @@
 
 #include "oracle/files/files.hpp"
 #include "oracle/files/quoted_csv.hpp"
+#include "oracle/sweep/sweep_store.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
@@ -21,6 +22,9 @@ const std::string journal = journal_scene_file;
 const std::string slider_crank = LUBJOINT_SOURCE_DIR "/data/scenes/slider-crank.toml";
 const Words small{
     "--vary", "joints[0].clearance=1e-4:3e-4:3", "--vary", "joints[0].film=short_half,long_dynamic", "--rtol", "1e-6"};
+
+/// What a merge leaves.
+const std::set<std::string> merged_files{"journal-sweep.csv", "journal-sweep.json"};
 
 Words sweep(const std::string& scene, const Words& grid, const Words& more = {}) {
   Words words{"sweep", scene};
@@ -133,7 +137,7 @@ TEST_CASE("sweep: a folder gets the same CSV and nothing else; JSON has the same
   const TemporaryFolder folder;
   const std::string plain = output_of(sweep(journal, small));
   const Json summary = Json::parse(output_of(sweep(journal, small, {"--out", folder / "a/b", "--json"})));
-  CHECK(folder.entries() == std::set<std::string>{"a", "a/b", "a/b/journal-sweep.csv"});
+  CHECK(folder.entries() == std::set<std::string>{"a", "a/b", "a/b/journal-sweep.csv", "a/b/journal-sweep.json"});
   CHECK(read_text(folder / "a/b/journal-sweep.csv") == plain);
   CHECK(summary["csv"] == folder / "a/b/journal-sweep.csv");
   CHECK(summary["points"] == 6);
@@ -168,7 +172,7 @@ TEST_CASE("sweep: shards leave parts, and the last of them the same CSV as one r
              Contains("ran now"));
   CHECK_THAT(output_of(sweep(journal, small, {"--out", folder.path().string(), "--shard", "1/3"})), Contains(csv));
   CHECK(read_text(csv) == whole);
-  CHECK(folder.entries() == std::set<std::string>{"journal-sweep.csv"});
+  CHECK(folder.entries() == merged_files);
 }
 
 TEST_CASE("sweep: --merge merges what shards have left, if that is all") {
@@ -177,7 +181,7 @@ TEST_CASE("sweep: --merge merges what shards have left, if that is all") {
   output_of(sweep(journal, small, {"--out", folder.path().string(), "--shard", "1/2"}));
   const std::string part = read_text(folder / "journal-sweep.1-of-2.part");
   output_of(sweep(journal, small, {"--out", folder.path().string(), "--shard", "2/2"}));
-  CHECK(folder.entries() == std::set<std::string>{"journal-sweep.csv"});
+  CHECK(folder.entries() == merged_files);
   // Parts that were gathered from elsewhere.
   const TemporaryFolder gathered;
   gathered.write("journal-sweep.1-of-2.part", part);
@@ -189,6 +193,61 @@ TEST_CASE("sweep: --merge merges what shards have left, if that is all") {
   CHECK(merged["run_now"] == 0);
   CHECK(merged["rows"].size() == 6);
   CHECK(read_text(gathered / "journal-sweep.csv") == whole);
+}
+
+TEST_CASE("sweep: once merged, --merge and a shard say so again, compute nothing and leave no part") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  for (const std::string shard : {"1/2", "2/2"}) output_of(sweep(journal, small, {"--out", out, "--shard", shard}));
+  const std::string csv = read_text(folder / "journal-sweep.csv");
+  for (const Words& again : {Words{"--merge"}, Words{"--shard", "1/2"}, Words{"--shard", "2/3"}, Words{}}) {
+    Words words = sweep(journal, small, {"--out", out, "--json"});
+    words.insert(words.end(), again.begin(), again.end());
+    const ProgramResult result = lubjoint_program(words);
+    CHECK(result.status == 0);
+    CHECK_THAT(result.err, Contains("merged before; nothing is done"));
+    const Json summary = Json::parse(result.out);
+    CHECK(summary["run_now"] == 0);
+    CHECK(summary["merged"] == true);
+    CHECK(summary["rows"].size() == 6);
+    CHECK(read_text(folder / "journal-sweep.csv") == csv);
+    CHECK(folder.entries() == merged_files);
+  }
+  // Another sweep, or a CSV that was changed, is not the one that was merged.
+  Words other = small;
+  other.back() = "1e-5";
+  CHECK_THAT(refusal(sweep(journal, other, {"--out", out, "--merge"})), Contains("0 of 6 points"));
+  folder.write("journal-sweep.csv", csv + "7\n");
+  CHECK_THAT(refusal(sweep(journal, small, {"--out", out, "--merge"})), Contains("0 of 6 points"));
+  output_of(sweep(journal, small, {"--out", out}));
+  CHECK(read_text(folder / "journal-sweep.csv") == csv);
+}
+
+TEST_CASE("sweep: a shard looks at its own points of the grid alone") {
+  const TemporaryFolder folder;
+  const Words grid{"--vary", "joints[0].clearance=1e-4,2e-4,3e-4,2e-2"};  // the last is larger than the journal
+  CHECK_THAT(refusal(sweep(journal, grid, {"--out", folder / "a"})), Contains("point 3 ("));
+  CHECK_THAT(refusal(sweep(journal, grid, {"--out", folder / "a", "--shard", "2/2"})), Contains("point 3 ("));
+  CHECK(folder.entries().empty());
+  CHECK_THAT(output_of(sweep(journal, grid, {"--out", folder / "a", "--shard", "1/2"})), Contains("2 finished"));
+}
+
+TEST_CASE("sweep: a lock that can't be had says why") {
+  CHECK_THAT(lubjoint::reports::lock_refusal("x.part", EWOULDBLOCK),
+             Contains("another process is at work on \"x.part\""));
+  CHECK_THAT(lubjoint::reports::lock_refusal("x.part", ENOLCK),
+             Contains("x.part\" can't be locked: No locks available") && Contains("allowed"));
+}
+
+TEST_CASE("sweep: the exit status tells points that stopped from a sweep that failed, or accepts them if asked to") {
+  const Words grid{"--vary", "integrator.max_steps=5,100000"};
+  const TemporaryFolder folder;
+  CHECK(lubjoint_program(sweep(journal, grid)).status == 1);
+  CHECK(lubjoint_program(sweep(journal, grid, {"--accept-stopped"})).status == 0);
+  CHECK(lubjoint_program(sweep(journal, grid, {"--out", "/proc/lubjoint", "--accept-stopped"})).status == 2);
+  const ProgramResult help = lubjoint_program({"sweep", "--help"});
+  CHECK_THAT(help.out, Contains("0 all points finished") && Contains("1 all points ran, and some stopped") &&
+                           Contains("2 the sweep failed"));
 }
 
 TEST_CASE("sweep: killed at any time and run again, it ends with the same bytes and runs only what is missing") {
@@ -223,7 +282,7 @@ TEST_CASE("sweep: killed at any time and run again, it ends with the same bytes 
   CHECK(summary["run_now"].get<std::size_t>() <= 400 - kept + 1);  // one may have been cut off
   CHECK(summary["run_now"].get<std::size_t>() >= 400 - kept);
   CHECK(read_text(folder / "journal-sweep.csv") == whole);
-  CHECK(folder.entries() == std::set<std::string>{"journal-sweep.csv"});
+  CHECK(folder.entries() == merged_files);
 }
 
 TEST_CASE("sweep: a part cut after any byte is continued, damaged rows run again, and both are said") {
@@ -351,7 +410,7 @@ TEST_CASE("sweep: a point that no file could hold is refused by its number and v
           {"--vary joints[0].clearance: given twice"});
   refused(LUBJOINT_SOURCE_DIR "/data/scenes/slider-crank-ideal.toml",
           {"--vary", "constraints.main-bearing.first.point[1]=0,0.3"},
-          {"point 1 (", "no position near the start fulfils all constraints"});
+          {"point 1 (", "the constraints are conflicting: no position near the start fulfils them all"});
   refused(slider_crank, {"--vary", "constraints.crank-pin.first.point[0]=0.025,0.03"},
           {"point 1 (", "its journal starts at eccentricity ratio"});
   for (const Words& both : {Words{"--law", "short_half", "--vary", "joints[0].film=long_half,short_half"},

@@ -92,6 +92,18 @@ TEST_CASE("verify: rows in another order, a byte-order mark and carriage returns
   CHECK(spoiled("NR == 1 { printf \"\\357\\273\\277\" } { print $0 \"\\r\" }").status == 0);
 }
 
+TEST_CASE("verify: answers without ids are taken in the order of the states, if there is one for each") {
+  const std::string without_id = "{ sub(/^[^,]*,/, \"\"); print }";
+  CHECK(spoiled(without_id).status == 0);
+  const Ending turned = spoiled(
+      "NR == 1 { sub(/^[^,]*,/, \"\"); print } NR > 1 { sub(/^[^,]*,/, \"\"); row[NR] = $0 } "
+      "END { for (i = NR; i > 1; --i) print row[i] }");
+  CHECK(turned.status == 1);
+  const Ending fewer = spoiled("NR < 200 " + without_id);
+  CHECK(fewer.status == 2);
+  CHECK_THAT(fewer.output, Contains("198 rows without ids") && Contains("one row a state, in order"));
+}
+
 TEST_CASE("verify: what can't be judged ends with status 2 and says why") {
   const auto refused = [](const Ending& outcome, const std::string& word) {
     INFO(outcome.output);

@@ -88,6 +88,12 @@ JournalEquilibrium find(const Scene& scene, const LawAtRest& law) {
   result.stiffness = (-mass * jacobian.bottomLeftCorner(2, 2)).template cast<double>();
   result.damping = (-mass * jacobian.bottomRightCorner(2, 2)).template cast<double>();
 
+  const auto is_finite = [](const auto& matrix) { return matrix.allFinite(); };
+  if (!is_finite(result.force) || !is_finite(result.stiffness) || !is_finite(result.damping) || !is_finite(jacobian)) {
+    throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
+                     ": the stiffness or damping of bodies[0] on its film is beyond the range of double precision; "
+                     "allowed are spin, viscosity and bearing for which it is not");
+  }
   const Eigen::EigenSolver<Eigen::Matrix<Long, 4, 4>> solver(jacobian, false);
   for (int i = 0; i < 4; ++i) {
     const std::complex<Long> value = solver.eigenvalues()(i);

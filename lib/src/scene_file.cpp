@@ -119,10 +119,11 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     table.refuse("journal", "on the same body as the bearing", "another body");
   }
   const Vector2<double> e = (position_of(joint.journal, scene) - position_of(joint.bearing, scene)) / joint.clearance;
-  if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) {
+  if (!joint.contact && !(one_minus_squared_norm(e.x(), e.y()) > 0)) {
     std::ostringstream given;
     given << "at eccentricity ratio " << e.norm() << " in its bearing";
-    table.refuse("journal", given.str(), "a journal that starts inside it, at an eccentricity ratio in [0, 1)");
+    table.refuse("journal", given.str(),
+                 "a journal that starts inside it, at an eccentricity ratio in [0, 1), or a joint with contact");
   }
   table.finish();
   return joint;

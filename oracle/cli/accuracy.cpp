@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdint>
 #include <iostream>
+#include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/command.hpp"
@@ -35,9 +36,13 @@ void add_accuracy(CLI::App& app, Action& action) {
   command->add_option("--directions", options->directions, "Random directions of motion at each ratio")
       ->check(whole_number, "UINT")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
-  command->add_option("--seed", options->seed, "Seed of the directions, 0 or more")->check(whole_number, "UINT");
-  command->callback([options, &action] {
-    action = [options] {
+  CLI::Option* seed =
+      command->add_option("--seed", options->seed, "Seed of the directions, 0 or more")->check(whole_number, "UINT");
+  command->callback([options, seed, &action] {
+    action = [options, seed] {
+      if (seed->count() > 0 && options->directions == 0) {
+        throw std::invalid_argument("--seed has no effect with --directions 0; allowed with directions to be drawn");
+      }
       if (options->out) reports::prepare_file(*options->out);
       const auto rows = reports::measure_accuracy(options->directions, options->seed);
       if (options->out) reports::write_file(*options->out, reports::accuracy_csv(rows));

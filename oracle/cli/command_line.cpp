@@ -42,6 +42,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc,
 }
 
 int run_program(int argc, char** argv, void (*add)(CLI::App&, Action&)) {
+  std::ios::sync_with_stdio(false);  // nothing here reads or writes with C's streams but progress, on standard error
   reports::remove_temporary_files_on_interrupt();
   CLI::App app("Reference for lubricated revolute joints in rigid multibody systems", "lubjoint");
   Action action;

@@ -1,5 +1,3 @@
-#include <iostream>
-
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
@@ -11,23 +9,25 @@ namespace lubjoint::cli {
 namespace {
 
 /// The law in extended precision, rounded once: what is printed is right to the last digit of a double.
-template <FilmLaw Law>
-std::string forces(const reports::CsvTable& states, const Bearing<double>& bearing, const Lubricant<double>& oil) {
+template <FilmLaw Law, class Write>
+void forces(reports::CsvStream& states, const Bearing<double>& bearing, const Lubricant<double>& oil,
+            const Write& write) {
   using Wide = long double;
   const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
   const Lubricant<Wide> wide_oil(oil.viscosity());
   std::vector<std::string> names = {"radial", "tangential"};
   if constexpr (Law::extent == FilmExtent::dynamic) names.insert(names.end(), {"theta_s", "theta_e"});
-  return answered_rows(states, names, [&](const PolarFilmState<double>& state) {
+  const auto answer = [&](const PolarFilmState<double>& state) {
     const PolarFilmState<Wide> wide(state.eccentricity_ratio, state.slip_rate, state.squeeze_rate);
     const PolarForce<Wide> force = film_force<Law>(wide_bearing, wide_oil, wide);
-    std::vector<double> answer = {static_cast<double>(force.radial), static_cast<double>(force.tangential)};
+    std::vector<double> values = {static_cast<double>(force.radial), static_cast<double>(force.tangential)};
     if constexpr (Law::extent == FilmExtent::dynamic) {
       const FilmBounds<double> bounds = film_bounds(Law::extent, state);
-      answer.insert(answer.end(), {bounds.start, bounds.end});
+      values.insert(values.end(), {bounds.start, bounds.end});
     }
-    return answer;
-  });
+    return values;
+  };
+  answer_rows(states, names, answer, write);
 }
 
 }  // namespace
@@ -46,8 +46,9 @@ void add_force(CLI::App& app, Action& action) {
       require_name("--law", options->law, film_law_names);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
-      const reports::CsvTable states = options->read_states();
-      std::cout << with_film_law(options->law, [&]<class Law>() { return forces<Law>(states, bearing, oil); });
+      answer_stream("force", options->states, [&](reports::CsvStream& states, const auto& write) {
+        with_film_law(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });
+      });
       return 0;
     };
   });

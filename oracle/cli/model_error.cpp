@@ -16,7 +16,7 @@ struct Options {
   std::optional<std::string> scene;
   std::optional<double> length;
   std::optional<double> radius;
-  double clearance = 0;
+  std::optional<double> clearance;
   std::optional<double> viscosity;
   std::optional<double> load;
   std::optional<double> spin;
@@ -33,8 +33,9 @@ struct Question {
 
 Question question_of(const Options& options) {
   if (options.scene) {
-    if (options.length || options.radius || options.viscosity || options.load || options.spin) {
-      throw std::invalid_argument("model-error takes a scene, or --length, --radius and so on; not both");
+    if (options.length || options.radius || options.clearance || options.viscosity || options.load || options.spin) {
+      throw std::invalid_argument(
+          "model-error takes a scene, or --length, --radius and so on; not both: allowed beside a scene is --out");
     }
     const JournalScene parts = journal_scene(load_scene(*options.scene));
     return {parts.bearing, parts.oil, parts.drive.load.norm(), std::abs(2 * parts.drive.mean_spin())};
@@ -44,16 +45,16 @@ Question question_of(const Options& options) {
   }
   require_option("--radius", *options.radius, *options.radius > 0, "a finite number above 0 [m]");
   // The map depends on L/D alone: without a load any clearance does.
-  const double clearance = options.clearance > 0 ? options.clearance : 1e-3 * *options.radius;
+  const double clearance = options.clearance.value_or(1e-3 * *options.radius);
+  require_option("--clearance", clearance, clearance > 0, "a finite number above 0 [m]");
   Question question{Bearing<double>(*options.length, *options.radius, clearance), {}};
-  const bool any = options.load || options.spin || options.viscosity || options.clearance != 0;
-  const bool all = options.load && options.spin && options.viscosity && options.clearance != 0;
+  const bool any = options.load || options.spin || options.viscosity || options.clearance;
+  const bool all = options.load && options.spin && options.viscosity && options.clearance;
   if (any && !all) {
     throw std::invalid_argument(
         "the equilibrium needs --clearance [m], --viscosity [Pa s], --load [N] and --spin [rad/s], all four or none");
   }
   if (all) {
-    require_option("--clearance", options.clearance, options.clearance > 0, "a finite number above 0 [m]");
     require_option("--load", *options.load, *options.load > 0, "a finite number above 0 [N]");
     require_option("--spin", *options.spin, *options.spin > 0, "a finite number above 0 [rad/s]");
     question.oil = Lubricant<double>(*options.viscosity);

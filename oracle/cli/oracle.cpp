@@ -32,13 +32,23 @@ void require_film(const std::string& name) {
   oracle::finite_film_of(name);
 }
 
-oracle::FilmOnset onset_of(const std::string& name) {
+/// @throws std::invalid_argument  no onset, or one for a film that has none to choose
+oracle::FilmOnset onset_of(const std::string& film, const std::optional<std::string>& given) {
+  if (given && film != "finite_reynolds") {
+    throw std::invalid_argument("--onset has no effect on " + film + "; allowed with finite_reynolds alone");
+  }
+  const std::string name = given.value_or("free");
   if (name == "free") return oracle::FilmOnset::free;
   if (name == "maximum_film") return oracle::FilmOnset::maximum_film;
   throw std::invalid_argument("--onset is \"" + name + "\"; allowed are free, maximum_film");
 }
 
-oracle::FilmQuadratureRule rule_of(const std::string& name) {
+/// @throws std::invalid_argument  no rule, or one for a film that is not integrated by it
+oracle::FilmQuadratureRule rule_of(const std::string& film, const std::optional<std::string>& given) {
+  if (given && is_finite_film(film)) {
+    throw std::invalid_argument("--rule has no effect on " + film + "; allowed with the one-dimensional films alone");
+  }
+  const std::string name = given.value_or("gauss_legendre");
   const auto& names = oracle::film_quadrature_rule_names;
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<oracle::FilmQuadratureRule>(found - names.begin());
@@ -50,17 +60,17 @@ oracle::FilmQuadratureRule rule_of(const std::string& name) {
 /// A film in a bearing.
 struct FilmOptions : BearingOptions {
   std::string film;
-  std::string onset = "free";
+  std::optional<std::string> onset;
 
   void add(CLI::App& command) {
     command.add_option("--film", film, "short_full … long_dynamic, or finite_full … finite_reynolds")->required();
-    command.add_option("--onset", onset, "Onset of finite_reynolds: free or maximum_film")->capture_default_str();
+    command.add_option("--onset", onset, "Onset of finite_reynolds: free (default) or maximum_film");
     BearingOptions::add(command);
   }
 };
 
 struct ForceOptions : FilmOptions, StatesOption {
-  std::string rule = "gauss_legendre";
+  std::optional<std::string> rule;
   std::optional<double> rtol;
 };
 
@@ -69,51 +79,84 @@ std::vector<std::string> force_columns(bool dynamic) {
   return {"radial", "tangential", "theta_s", "theta_e", "radial_error", "tangential_error"};
 }
 
-std::string one_dimensional_forces(const ForceOptions& options, const reports::CsvTable& states) {
+template <class Write>
+void one_dimensional_forces(const ForceOptions& options, reports::CsvStream& states, const Write& write) {
   const auto film = oracle::one_dimensional_film(options.film);
-  const oracle::FilmQuadratureOptions how{rule_of(options.rule), options.rtol.value_or(1e-13)};
+  const oracle::FilmQuadratureOptions how{rule_of(options.film, options.rule), options.rtol.value_or(1e-13)};
   const bool dynamic = oracle::entry_of(film).extent() == FilmExtent::dynamic;
   const Bearing<double> bearing = options.bearing();
   const Lubricant<double> oil = options.oil();
-  return answered_rows(states, force_columns(dynamic), [&](const PolarFilmState<double>& state) {
+  const auto answer = [&](const PolarFilmState<double>& state) {
     const auto force = film_force_by_quadrature(film, bearing, oil, state, how);
-    std::vector<double> answer = {force.radial.value, force.tangential.value};
-    if (dynamic) answer.insert(answer.end(), {force.theta_s, force.theta_e});
-    answer.insert(answer.end(), {force.radial.error, force.tangential.error});
-    return answer;
-  });
+    std::vector<double> values = {force.radial.value, force.tangential.value};
+    if (dynamic) values.insert(values.end(), {force.theta_s, force.theta_e});
+    values.insert(values.end(), {force.radial.error, force.tangential.error});
+    return values;
+  };
+  answer_rows(states, force_columns(dynamic), answer, write);
 }
 
-std::string finite_forces(const ForceOptions& options, const reports::CsvTable& states) {
+/// Up to here the grids of finite_reynolds resolve the film (finite_length.hpp).
+constexpr double meant_up_to = 0.99;
+
+/// Rows of finite-length films that are less certain than asked for.
+struct Doubts {
+  std::size_t coarse = 0;  ///< whose error estimate is not within the tolerance
+  std::size_t thin = 0;    ///< of finite_reynolds at ratios for which it is not meant
+
+  std::string warning(double tolerance) const {
+    std::string text;
+    if (coarse > 0) {
+      text +=
+          fmt::format("warning: {} of the forces could not be had to {:g} of |F|; their error columns say to what\n",
+                      coarse, tolerance);
+    }
+    if (thin > 0) {
+      text += fmt::format(
+          "warning: {} of the states have an eccentricity ratio above {}, where the grids of finite_reynolds no longer "
+          "resolve the film: its forces there may be off by several per cent, and more than the error columns say\n",
+          thin, meant_up_to);
+    }
+    return text;
+  }
+};
+
+template <class Write>
+void finite_forces(const ForceOptions& options, reports::CsvStream& states, const Write& write) {
   const auto film = oracle::finite_film_of(options.film);
-  const oracle::FiniteLengthOptions how{options.rtol.value_or(1e-3), onset_of(options.onset)};
+  const oracle::FiniteLengthOptions how{options.rtol.value_or(1e-3), onset_of(options.film, options.onset)};
   const bool dynamic = film == oracle::FiniteFilm::finite_dynamic;
   const Bearing<double> bearing = options.bearing();
   const Lubricant<double> oil = options.oil();
-  return answered_rows(states, force_columns(dynamic), [&](const PolarFilmState<double>& state) {
+  Doubts doubts;
+  const auto answer = [&](const PolarFilmState<double>& state) {
     const auto force = finite_length_force(film, bearing, oil, state, how);
-    std::vector<double> answer = {force.radial, force.tangential};
+    doubts.coarse += force.tolerance_met ? 0 : 1;
+    doubts.thin += film == oracle::FiniteFilm::finite_reynolds && state.eccentricity_ratio > meant_up_to ? 1 : 0;
+    std::vector<double> values = {force.radial, force.tangential};
     if (dynamic) {
       const FilmBounds<double> bounds = film_bounds(FilmExtent::dynamic, state);
-      answer.insert(answer.end(), {bounds.start, bounds.end});
+      values.insert(values.end(), {bounds.start, bounds.end});
     }
-    answer.insert(answer.end(), {force.radial_error, force.tangential_error});
-    return answer;
-  });
+    values.insert(values.end(), {force.radial_error, force.tangential_error});
+    return values;
+  };
+  answer_rows(states, force_columns(dynamic), answer, write);
+  std::cerr << doubts.warning(how.relative_tolerance);
 }
 
 void add_oracle_force(CLI::App& parent, Action& action) {
   auto options = std::make_shared<ForceOptions>();
   CLI::App* command = parent.add_subcommand("force", "Film force by integrating the pressure, CSV in and out");
   options->add_states(*command);
-  command->add_option("--rule", options->rule, "Quadrature rule of the one-dimensional films")->capture_default_str();
+  command->add_option("--rule", options->rule, "Quadrature rule of the one-dimensional films (gauss_legendre)");
   command->add_option("--rtol", options->rtol, "Tolerance relative to |F| (1e-13; finite films 1e-3)");
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
       require_film(options->film);
-      rule_of(options->rule);
-      onset_of(options->onset);
+      rule_of(options->film, options->rule);
+      onset_of(options->film, options->onset);
       if (options->rtol) {
         const bool finite = is_finite_film(options->film);
         require_option("--rtol", *options->rtol,
@@ -123,9 +166,10 @@ void add_oracle_force(CLI::App& parent, Action& action) {
       }
       options->bearing();
       options->oil();
-      const reports::CsvTable states = options->read_states();
-      std::cout << (is_finite_film(options->film) ? finite_forces(*options, states)
-                                                  : one_dimensional_forces(*options, states));
+      answer_stream("oracle force", options->states, [&](reports::CsvStream& states, const auto& write) {
+        is_finite_film(options->film) ? finite_forces(*options, states, write)
+                                      : one_dimensional_forces(*options, states, write);
+      });
       return 0;
     };
   });
@@ -152,7 +196,7 @@ void add_oracle_pressure(CLI::App& parent, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       require_film(options->film);
-      const auto onset = onset_of(options->onset);
+      const auto onset = onset_of(options->film, options->onset);
       require_option("--angles", options->angles, options->angles >= 3 && options->angles <= 10000, "3 to 10000");
       require_option("--stations", options->stations, options->stations >= 3 && options->stations <= 1000, "3 to 1000");
       const PolarFilmState<double> state(options->ratio, options->slip, options->squeeze);

@@ -57,11 +57,10 @@ int reproduce(const Options& options) {
   content.journal = reports::run_example_1(scene);
   std::cout << reports::example_1_table(content.journal) << '\n';
   content.model_error = page::bearing_model_error(content.journal);
-  for (std::size_t i = 0; i < content.journal.laws.size(); ++i) {
-    const std::string warning =
-        reports::model_warning(content.journal.laws[i].scene.joints[0], content.model_error.visited[i]);
-    if (!warning.empty()) std::cout << warning << '\n';
-  }
+  std::vector<SceneJoint> joints;
+  for (const auto& law : content.journal.laws) joints.push_back(law.scene.joints[0]);
+  const std::string warning = reports::model_warning(joints, content.model_error.visited);
+  if (!warning.empty()) std::cout << warning << '\n';
   content.slider_crank = reports::run_example_2(options.scenes);
   std::cout << '\n' << reports::example_2_table(content.slider_crank);
   content.laws = reports::check_laws({});

@@ -1,13 +1,17 @@
 /// The options that change a scene on the command line.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/results/late_extremes.hpp"
 
 namespace lubjoint::cli {
 
@@ -47,6 +51,11 @@ struct SceneOptions {
   /// Changes a scene. @throws std::invalid_argument
   void change(Scene& scene) const {
     if (law) {
+      const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
+      if (std::none_of(scene.joints.begin(), scene.joints.end(), has_film)) {
+        throw std::invalid_argument("--law has no effect on \"" + scene.name +
+                                    "\", which has no joint with a film; allowed without it");
+      }
       for (SceneJoint& joint : scene.joints) {
         if (joint.film != no_film) joint.film = *law;
       }
@@ -58,6 +67,35 @@ struct SceneOptions {
       require_option("--duration", *duration, *duration / scene.run.output_interval <= 1e7,
                      "at most ten million output intervals of the scene");
     }
+  }
+};
+
+/// The options that ask for extremes of the later part of a run.
+struct LateOptions {
+  std::optional<double> after;
+  bool last_revolution = false;
+
+  void add_late(CLI::App& command) {
+    command.add_option("--after", after,
+                       "Extremes from this time on, too [s], beside those of the whole run: a start has its own. Runs "
+                       "the\nscene once more, to that time and from it");
+    command.add_flag("--last-revolution", last_revolution,
+                     "The same of the last revolution of the scene's driver, or of its journal");
+  }
+  /// @throws std::invalid_argument
+  void require() const {
+    if (after && last_revolution) {
+      throw std::invalid_argument("--after and --last-revolution are given; allowed is one of them");
+    }
+  }
+  /// From when on extremes of the scene are wanted, if at all. @throws std::invalid_argument
+  std::optional<double> start(const Scene& scene) const {
+    if (last_revolution) return reports::start_of_last_revolution(scene);
+    if (after) {
+      require_option("--after", *after, *after >= 0 && *after < scene.run.duration,
+                     "a time from 0 to below the duration, " + reports::number(scene.run.duration) + " s");
+    }
+    return after;
   }
 };
 

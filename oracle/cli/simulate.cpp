@@ -7,7 +7,9 @@
 #include "oracle/laws/model_error.hpp"
 #include "oracle/results/film_resolution.hpp"
 #include "oracle/results/journal_report.hpp"
+#include "oracle/results/late_extremes.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/results/scene_warnings.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 
 namespace lubjoint::cli {
@@ -16,33 +18,69 @@ namespace {
 
 /// Trajectory to a file if asked for, summary to standard output.
 template <class Trajectory>
-void report(const Scene& scene, const Trajectory& run, const std::optional<std::string>& out, bool json) {
+void report(const Scene& scene, const Trajectory& run, const std::optional<reports::LateExtremes>& late,
+            const std::optional<std::string>& out, bool json) {
   if (out) {
     const auto file = std::filesystem::path(*out) / (scene.name + ".csv");
     reports::write_file(file, reports::trajectory_csv(scene, run));
     std::cerr << "trajectory written to " << file.string() << '\n';
   }
   if (json) {
-    std::cout << reports::summary_json(scene, run).dump(2) << '\n';
+    nlohmann::ordered_json summary = reports::summary_json(scene, run);
+    if (late) reports::add_late_extremes(summary, scene, *late);
+    std::cout << summary.dump(2) << '\n';
   } else {
     std::cout << reports::summary_text(scene, run);
+    if (late) std::cout << reports::late_extremes_text(scene, *late);
   }
 }
 
-/// Where the film model itself is in doubt, or the tolerance too coarse for the film.
-void warn(const Scene& scene, const SceneJoint& joint, const RunOutcome& outcome, double thinnest_film,
-          const reports::VisitedModelError& error) {
-  for (const std::string& warning :
-       {reports::resolution_warning(scene, joint, thinnest_film),
-        reports::kink_warning(scene, joint, outcome.integrator), reports::model_warning(joint, error)}) {
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
     if (!warning.empty()) std::cerr << warning << '\n';
   }
+}
+
+/// The extremes that were asked for, of a run that got to its end.
+std::optional<reports::LateExtremes> late_of(const Scene& scene, const RunOutcome& outcome,
+                                             const std::optional<double>& after) {
+  if (!after) return std::nullopt;
+  if (outcome.status == RunStatus::finished) return reports::late_extremes(scene, *after);
+  warn({"warning: the run stopped before its end, and has no extremes after a time"});
+  return std::nullopt;
+}
+
+int simulate(const Scene& scene, const std::optional<double>& after, const std::optional<std::string>& out, bool json) {
+  warn(reports::unit_warnings(scene));
+  // Where the film model itself is in doubt, the tolerance too coarse for the film, or the film too thin for a bearing.
+  if (is_free_journal(scene)) {
+    const JournalTrajectory run = simulate_journal(scene);
+    const SceneJoint& joint = scene.joints[0];
+    report(scene, run, late_of(scene, run.outcome, after), out, json);
+    warn({reports::thin_film_warning(joint, run.min_film_thickness, run.t_max_eccentricity_ratio),
+          reports::resolution_warning(scene, joint, reports::thinnest_film(scene, run)),
+          reports::kink_warning(scene, joint, run.outcome.integrator),
+          reports::model_warning(joint, reports::visited_model_error(scene, run))});
+    return run.outcome.status == RunStatus::finished ? 0 : 1;
+  }
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  report(scene, run, late_of(scene, run.outcome, after), out, json);
+  warn(reports::correction_warnings(scene, run));
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j];
+    const Peak& farthest = run.joints[j].eccentricity;
+    warn({reports::thin_film_warning(joint, joint.clearance - farthest.value, farthest.t),
+          reports::resolution_warning(scene, joint, reports::thinnest_film(scene, j, run)),
+          reports::kink_warning(scene, joint, run.outcome.integrator),
+          reports::model_warning(joint, reports::visited_model_error(scene, j, run))});
+  }
+  return run.outcome.status == RunStatus::finished ? 0 : 1;
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  struct Options : SceneOptions {
+  struct Options : SceneOptions, LateOptions {
     std::optional<std::string> out;
     bool json = false;
   };
@@ -51,27 +89,17 @@ void add_simulate(CLI::App& app, Action& action) {
   options->add_file(*command);
   options->add_law(*command);
   options->add_run(*command);
+  options->add_late(*command);
   command->add_option("--out", options->out, "Folder for the trajectory, SCENE.csv");
   command->add_flag("--json", options->json, "Summary as one JSON object");
   command->callback([options, &action] {
     action = [options] {
+      options->LateOptions::require();
       const Scene scene = options->load();
+      const std::optional<double> after = options->start(scene);
       if (is_free_journal(scene)) journal_scene(scene);  // refuses what it can before a folder is made
       if (options->out) reports::prepare_folder(*options->out);
-      if (is_free_journal(scene)) {
-        const JournalTrajectory run = simulate_journal(scene);
-        report(scene, run, options->out, options->json);
-        warn(scene, scene.joints[0], run.outcome, reports::thinnest_film(scene, run),
-             reports::visited_model_error(scene, run));
-        return run.outcome.status == RunStatus::finished ? 0 : 1;
-      }
-      const MultibodyTrajectory run = simulate_multibody(scene);
-      report(scene, run, options->out, options->json);
-      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-        warn(scene, scene.joints[j], run.outcome, reports::thinnest_film(scene, j, run),
-             reports::visited_model_error(scene, j, run));
-      }
-      return run.outcome.status == RunStatus::finished ? 0 : 1;
+      return simulate(scene, after, options->out, options->json);
     };
   });
 }

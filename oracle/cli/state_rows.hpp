@@ -1,9 +1,11 @@
-/// CSV of film states in, the same rows with columns added out.
+/// CSV of states in, the same rows with columns added out.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,9 @@
 #include "oracle/cli/command.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
+#include "oracle/files/progress.hpp"
+#include "oracle/files/quoted_csv.hpp"
+#include "oracle/files/streams.hpp"
 
 namespace lubjoint::cli {
 
@@ -22,39 +27,94 @@ struct StatesOption {
     command.add_option("--states", states, "CSV with eccentricity_ratio,slip_rate,squeeze_rate; - is stdin")
         ->required();
   }
-  /// @throws std::invalid_argument if it can't be read, reports::CsvError if it is none
-  reports::CsvTable read_states() const { return {reports::read_input(states), reports::input_name(states)}; }
 };
 
-/// Adds columns to every row of a table with eccentricity_ratio, slip_rate and squeeze_rate.
+/// Rows of a stream with columns added. One that has the name of an added column is replaced: an answer can be given
+/// back as states.
+class AnsweredRows {
+ public:
+  AnsweredRows(const reports::CsvStream& given, const std::vector<std::string>& names) : given_(given) {
+    const std::vector<std::string>& columns = given.header().columns();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (std::find(names.begin(), names.end(), columns[i]) == names.end()) kept_.push_back(i);
+    }
+    const bool all = kept_.size() == columns.size();
+    header_ = all ? given.header().line() : "";
+    for (const std::size_t i : kept_) {
+      if (!all) add_to(header_, reports::quoted_field(columns[i]));
+    }
+    for (const std::string& name : names) add_to(header_, name);
+    header_ += '\n';
+  }
+
+  const std::string& header() const { return header_; }
+  /// The row as it was given, without the columns that are replaced.
+  std::string row() const {
+    if (kept_.size() == given_.header().columns().size()) return given_.line();
+    std::string row;
+    for (const std::size_t i : kept_) add_to(row, given_.raw_field(i));
+    return row;
+  }
+
+ private:
+  static void add_to(std::string& row, std::string_view field) {
+    if (!row.empty()) row += ',';
+    row += field;
+  }
+
+  const reports::CsvStream& given_;
+  std::vector<std::size_t> kept_;
+  std::string header_;
+};
+
+/// Adds columns to every row of a stream with eccentricity_ratio, slip_rate and squeeze_rate.
 /// @param answer  gives the added numbers of a PolarFilmState<double>, as many as there are names
+/// @param write   takes the header and every row, with its line end
 /// @throws reports::CsvError that names file and line if a state is impossible or an answer is not finite
-template <class Answer>
-std::string answered_rows(const reports::CsvTable& states, const std::vector<std::string>& names,
-                          const Answer& answer) {
-  const std::size_t ratio = states.column("eccentricity_ratio");
-  const std::size_t slip = states.column("slip_rate");
-  const std::size_t squeeze = states.column("squeeze_rate");
-  std::string csv = states.header();
-  for (const std::string& name : names) csv += "," + name;
-  csv += '\n';
-  for (std::size_t row = 0; row < states.rows(); ++row) {
-    csv += states.line(row);
+template <class Answer, class Write>
+void answer_rows(reports::CsvStream& states, const std::vector<std::string>& names, const Answer& answer,
+                 const Write& write) {
+  const std::size_t ratio = states.header().column("eccentricity_ratio");
+  const std::size_t slip = states.header().column("slip_rate");
+  const std::size_t squeeze = states.header().column("squeeze_rate");
+  const AnsweredRows rows(states, names);
+  write(rows.header());
+  while (states.next()) {
+    std::string csv = rows.row();
     try {
-      const PolarFilmState<double> state(states.number(row, ratio), states.number(row, slip),
-                                         states.number(row, squeeze));
+      const PolarFilmState<double> state(states.number(ratio), states.number(slip), states.number(squeeze));
       for (const double value : answer(state)) {
         if (!std::isfinite(value)) {
-          states.refuse(row, "the force is beyond the range of double precision; allowed are smaller rates");
+          states.refuse("the force is beyond the range of double precision; allowed are smaller rates");
         }
         csv += fmt::format(",{}", value);
       }
     } catch (const FilmDomainError& error) {
-      states.refuse(row, error.what());
+      states.refuse(error.what());
     }
     csv += '\n';
+    write(csv);
   }
-  return csv;
+}
+
+/// Answers a file of states, or standard input, on standard output: a row at a time, with progress on a terminal.
+/// @param answer  writes header and rows: answer(CsvStream&, write)
+template <class Answer>
+void answer_stream(const std::string& command, const std::string& name, const Answer& answer) {
+  reports::InputStream input(name);
+  reports::CsvStream states(input.stream(), reports::input_name(name));
+  reports::HeldOutput output(std::cout);
+  reports::ProgressBar progress(command, input.size());
+  std::size_t rows = 0;
+  answer(states, [&](std::string_view row) {
+    output.write(row);
+    progress.reach(rows++, states.bytes());
+  });
+  if (input.stream().bad()) {
+    throw std::invalid_argument("\"" + name +
+                                "\" can't be read to its end; allowed is a file, or - for standard input");
+  }
+  output.finish();
 }
 
 }  // namespace lubjoint::cli

@@ -6,8 +6,8 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/cli/other_programs.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"
@@ -58,8 +58,7 @@ reports::StressSettings settings_of(const StressOptions& options) {
 
 void add_stress(CLI::App& app, Action& action) {
   auto options = std::make_shared<StressOptions>();
-  CLI::App* command =
-      app.add_subcommand("stress", words_of("stress"));
+  CLI::App* command = app.add_subcommand("stress", words_of("stress"));
   command->add_option("--out", options->out,
                       "Folder for stress.csv and the heat map; a run that was interrupted goes on from what is there");
   CLI::Option* references = command->add_option(
@@ -79,6 +78,11 @@ void add_stress(CLI::App& app, Action& action) {
     action = [options] {
       const std::vector<reports::StressCase> cases = wanted_cases(*options);
       if (options->references) {
+        if (options->out || !options->integrators.empty()) {
+          throw std::invalid_argument(
+              "--out and --integrator have no effect with --references, whose methods are its own; allowed are --case, "
+              "--law, --quick, --jobs and --scenes");
+        }
         const reports::StressSettings all = reports::stress_settings(options->quick);
         reports::prepare_folder(*options->references);
         reports::make_stress_references(cases, options->laws.empty() ? all.laws : options->laws, *options->references,

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
@@ -25,12 +24,13 @@ using reports::SweepGrid;
 using reports::SweepStore;
 using reports::SweptKey;
 
-struct Options : SceneOptions {
+struct Options : SceneOptions, LateOptions {
   std::vector<std::string> vary;
   std::optional<std::string> shard;
   std::optional<std::string> out;
   unsigned jobs = 0;
   bool merge = false;
+  bool accept_stopped = false;
   bool json = false;
 };
 
@@ -63,7 +63,8 @@ void require_apart(const Options& options, const SweptKey& swept) {
 }
 
 Sweep make_sweep(const Options& options) {
-  options.require();
+  options.SceneOptions::require();
+  options.LateOptions::require();
   SceneFile file(options.file);
   std::vector<SweptKey> keys;
   for (const std::string& text : options.vary) {
@@ -72,7 +73,10 @@ Sweep make_sweep(const Options& options) {
     require_apart(options, swept);
     keys.push_back(std::move(swept));
   }
-  return Sweep(std::move(file), SweepGrid(std::move(keys)), [options](Scene& scene) { options.change(scene); });
+  Sweep::LateStart late;
+  if (options.after || options.last_revolution) late = [options](const Scene& scene) { return *options.start(scene); };
+  return Sweep(
+      std::move(file), SweepGrid(std::move(keys)), [options](Scene& scene) { options.change(scene); }, std::move(late));
 }
 
 reports::SweepIdentity identity(const Options& options, const Sweep& sweep) {
@@ -87,6 +91,8 @@ reports::SweepIdentity identity(const Options& options, const Sweep& sweep) {
   if (options.integrator) changes += "integrator " + *options.integrator + " ";
   if (options.rtol) changes += "rtol " + reports::number(*options.rtol) + " ";
   if (options.duration) changes += "duration " + reports::number(*options.duration);
+  if (options.after) changes += " after " + reports::number(*options.after);
+  if (options.last_revolution) changes += " last revolution";
   return {{"format", "lubjoint sweep 1"},
           {"program", reports::program_identity()},
           {"scene", reports::sha256(sweep.file().text())},
@@ -116,15 +122,9 @@ struct Result {
   std::string csv;  ///< file
 };
 
-std::vector<std::size_t> all_points(const Sweep& sweep) {
-  std::vector<std::size_t> points(sweep.grid().size());
-  std::iota(points.begin(), points.end(), std::size_t{0});
-  return points;
-}
-
 Result run_in_memory(const Sweep& sweep, unsigned threads) {
   Result result;
-  const std::vector<std::size_t> points = all_points(sweep);
+  const std::vector<std::size_t> points = Shard{}.points(sweep.grid().size());
   sweep.require_valid(points, threads);
   std::mutex mutex;
   run_points(sweep, points, threads, [&](std::size_t point, const std::string& row) {
@@ -136,26 +136,43 @@ Result run_in_memory(const Sweep& sweep, unsigned threads) {
   return result;
 }
 
+/// The result of a sweep that has been merged before: nothing is run.
+Result already_merged(const Sweep& sweep, const std::filesystem::path& csv) {
+  std::cerr << "lubjoint: all points were run and merged before; nothing is done. To run them anew, delete \""
+            << csv.string() << "\" or name another --out\n";
+  Result result;
+  result.merged = true;
+  result.csv = csv.string();
+  std::istringstream lines(reports::read_input(csv.string()));
+  std::string row;
+  std::getline(lines, row);  // the header
+  for (std::size_t point = 0; point < sweep.grid().size() && std::getline(lines, row); ++point) {
+    result.rows.emplace(point, row);
+  }
+  return result;
+}
+
 Result run_in_folder(const Options& options, const Sweep& sweep, const Shard& shard, unsigned threads) {
   const std::string stem = sweep.scene_name() + "-sweep";
   const std::filesystem::path folder = *options.out;
+  const std::filesystem::path csv = folder / (stem + ".csv");
+  if (reports::is_merged(folder, stem, identity(options, sweep))) return already_merged(sweep, csv);
   if (!options.merge) {
-    sweep.require_valid(all_points(sweep), threads);  // before there is a folder
+    sweep.require_valid(shard.points(sweep.grid().size()), threads);  // before there is a folder
     reports::prepare_folder(folder);
   }
   SweepStore store(folder, stem, identity(options, sweep), options.merge ? std::nullopt : std::optional<Shard>(shard));
   for (const std::string& note : store.notes()) std::cerr << "lubjoint: " << note << '\n';
   std::vector<std::size_t> missing;
-  for (const std::size_t point : all_points(sweep)) {
-    if (shard.holds(point) && !store.rows().contains(point)) missing.push_back(point);
+  for (const std::size_t point : shard.points(sweep.grid().size())) {
+    if (!store.rows().contains(point)) missing.push_back(point);
   }
   Result result;
   if (!options.merge) {
     run_points(sweep, missing, threads, [&](std::size_t point, const std::string& row) { store.add(point, row); });
     result.run = missing.size();
   }
-  const std::filesystem::path csv = folder / (stem + ".csv");
-  result.merged = store.merge(sweep.header(), sweep.grid().size(), csv);
+  result.merged = store.merge(sweep.header(), sweep.grid().size());
   if (result.merged) result.csv = csv.string();
   if (options.merge && !result.merged) {
     throw std::invalid_argument("--merge: \"" + folder.string() + "\" has " + std::to_string(store.rows().size()) +
@@ -184,13 +201,21 @@ void add_sweep(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   options->add_law(*command);
   options->add_run(*command);
-  command->add_option("--jobs", options->jobs, "Threads (default: all cores); no result depends on it");
+  options->add_late(*command);
+  CLI::Option* jobs =
+      command->add_option("--jobs", options->jobs, "Threads (default: all cores); no result depends on it");
   command->add_option("--shard", options->shard, "i/n: every n-th point, from the i-th; the last shard merges");
   command->add_option("--out", options->out, "Folder for SCENE-sweep.csv; an interrupted sweep continues there");
   command->add_flag("--merge", options->merge, "Run nothing: merge what all shards have left in --out");
+  command->add_flag("--accept-stopped", options->accept_stopped,
+                    "Exit status 0 although some points stopped, for schedulers that go on after success alone");
+  command->footer(
+      "Exit status: 0 all points finished; 1 all points ran, and some stopped: their rows say why; 2 the sweep "
+      "failed:\n"
+      "bad usage or input, or a file that can't be written.");
   command->add_flag("--json", options->json, "Rows and counts as one JSON object");
-  command->callback([options, &action] {
-    action = [options] {
+  command->callback([options, jobs, &action] {
+    action = [options, jobs] {
       using Clock = std::chrono::steady_clock;
       const auto begin = Clock::now();
       const Shard shard = options->shard ? read_shard(*options->shard) : Shard{};
@@ -199,6 +224,9 @@ void add_sweep(CLI::App& app, Action& action) {
       }
       if (options->shard && options->merge) {
         throw std::invalid_argument("--shard and --merge are given; allowed is one of them");
+      }
+      if (options->merge && jobs->count() > 0) {
+        throw std::invalid_argument("--jobs has no effect with --merge, which runs nothing; allowed is one of them");
       }
       if (options->jobs > 1024) {
         throw std::invalid_argument("--jobs is " + std::to_string(options->jobs) +
@@ -241,7 +269,7 @@ void add_sweep(CLI::App& app, Action& action) {
                   << " ran now\n"
                   << "file     " << (result.merged ? result.csv : "not yet: other shards are missing") << '\n';
       }
-      return stopped == 0 ? 0 : 1;
+      return stopped == 0 || options->accept_stopped ? 0 : 1;
     };
   });
 }

@@ -195,6 +195,28 @@ int run(const VerifyOptions& o) {
   }
 }
 
+/// What programs are given and have to answer, and what is right at a journal in the centre.
+std::string described_quantities() {
+  std::string text = "Columns of the states (after id), and those of the answers, SI units:\n";
+  for (const std::string_view name : verify::quantities_names) {
+    const verify::Quantities quantities = verify::quantities_of(name);
+    text.append("  ").append(name).append("\n    given    ");
+    bool first = true;
+    for (const verify::StateColumn& column : verify::state_columns(quantities)) {
+      text.append(first ? "" : ",").append(column.name);
+      first = false;
+    }
+    text += "\n    answers  id";
+    for (const std::string_view column : verify::answer_columns(quantities)) text.append(",").append(column);
+    text += '\n';
+  }
+  return text +
+         "id may be left out of answers that keep the order of the states.\n"
+         "States with e = 0 come, too. There the radial direction is that of the journal's velocity relative to the\n"
+         "bearing, and the force is the limit e -> 0; with e = 0 and no velocity it is 0. No answer may be nan.\n"
+         "Exit status: 0 agrees, 1 disagrees, 2 could not be judged, or bad usage.";
+}
+
 }  // namespace
 
 void add_verify(CLI::App& app, Action& action) {
@@ -226,6 +248,7 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
   command->add_flag("--json", options->json, "One JSON object");
   command->add_option("program", options->program, "-- PROGRAM [ARGS]: reads states, writes answers, both CSV");
+  command->footer(described_quantities());
   command->callback([options, command, &action] {
     for (const CLI::Option* option : command->get_options()) {
       if (option->count() > 0 && !option->get_lnames().empty())

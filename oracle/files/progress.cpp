@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -17,20 +18,35 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::advance() {
   ++done_;
-  if (!on_terminal_) return;
+  if (is_due()) show(fmt::format("{}/{}", done_, total_));
+}
+
+void ProgressBar::reach(std::size_t rows, std::size_t bytes) {
+  done_ = bytes;
+  if (is_due()) show(fmt::format("{} rows", rows));
+}
+
+bool ProgressBar::is_due() {
+  if (!on_terminal_) return false;
   const auto now = Clock::now();
   using namespace std::chrono_literals;
-  if (now - start_ < 1s || now - last_ < 100ms) return;
+  if (now - start_ < 1s || now - last_ < 100ms) return false;
   last_ = now;
+  return true;
+}
+
+void ProgressBar::show(const std::string& counted) {
   shown_ = true;
-  constexpr std::size_t width = 30;
-  const std::size_t filled = total_ ? width * done_ / total_ : width;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double left = elapsed * static_cast<double>(total_ - done_) / static_cast<double>(done_);
-  std::fputs(fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {}/{}, {:.0f} s left", label_, "", filled, "", width - filled,
-                         done_, total_, left)
-                 .c_str(),
-             stderr);
+  std::string line = fmt::format("\r\033[K{} {}", label_, counted);
+  if (total_ > 0) {
+    constexpr std::size_t width = 30;
+    const std::size_t filled = std::min(width, width * done_ / total_);
+    const double elapsed = std::chrono::duration<double>(last_ - start_).count();
+    const double left = elapsed * static_cast<double>(total_ - std::min(done_, total_)) / static_cast<double>(done_);
+    line = fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {}, {:.0f} s left", label_, "", filled, "", width - filled, counted,
+                       left);
+  }
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -16,8 +16,14 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void advance();
+  /// Rows of a stream that were answered, and bytes of it that were read, of `total`; 0: nobody knows how many there
+  /// are.
+  void reach(std::size_t rows, std::size_t bytes);
 
  private:
+  bool is_due();
+  void show(const std::string& counted);
+
   using Clock = std::chrono::steady_clock;
   std::string label_;
   std::size_t total_;

@@ -61,6 +61,9 @@ struct LoadedState {
   std::string name;  ///< of the law or the film
   double eccentricity_ratio;
   double attitude;  ///< from the load to e, positive with the spin [rad]
+
+  /// The name as it is shown: the Swift–Stieber film is told by its onset, on which its answer depends.
+  std::string label() const { return name == "finite_reynolds" ? name + ", free onset" : name; }
 };
 
 /// Equilibrium of a finite-length film: ε with |F| = W at b = 0, a = ε Σω, by bracketed root finding.
@@ -88,6 +91,9 @@ VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, con
 
 /// One sentence if the law is more than 25 % off at half of the visited states or more; else empty.
 std::string model_warning(const SceneJoint& joint, const VisitedModelError& error);
+/// One sentence for several laws in the same bearing, which names the worst; empty if none is to be warned of.
+/// @param errors  in the order of the joints
+std::string model_warning(const std::vector<SceneJoint>& joints, const std::vector<VisitedModelError>& errors);
 
 std::string model_error_table(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
                               const std::vector<LoadedState>& loaded);

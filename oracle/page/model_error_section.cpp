@@ -73,8 +73,8 @@ std::string loaded_table(const std::vector<LoadedState>& loaded) {
   Table table("Where the journal rests under the load of example 1: by each law, and by films of finite length",
               {{"law or film", {}, false}, {"ε", "–"}, {"attitude", "°"}});
   for (const LoadedState& state : loaded) {
-    table.row(
-        {state.name, fmt::format("{:.4f}", state.eccentricity_ratio), fmt::format("{:.2f}", degrees * state.attitude)});
+    table.row({state.label(), fmt::format("{:.4f}", state.eccentricity_ratio),
+               fmt::format("{:.2f}", degrees * state.attitude)});
   }
   return table.html();
 }

@@ -78,7 +78,7 @@ std::string model_note(const Content& content) {
       "film of the bearing’s real length: under the load of example 1 the journal rests at ε = {} (short half film), "
       "{} "
       "(long half film, Pinkus–Sternlicht), but {} with the Reynolds equation solved around and along the bearing "
-      "(Swift–Stieber). See <a href=\"#model-error\">model error</a>.</p></div>\n",
+      "(Swift–Stieber, free onset). See <a href=\"#model-error\">model error</a>.</p></div>\n",
       content.model_error.length_to_diameter, ratio("short_half"), ratio("pinkus_sternlicht"),
       ratio("finite_reynolds"));
 }

@@ -10,7 +10,9 @@
 #include "lubjoint/scene/journal_losses.hpp"
 #include "oracle/results/coefficient_table.hpp"
 #include "oracle/results/loss_columns.hpp"
+#include "oracle/results/motion_words.hpp"
 #include "oracle/results/outcome_words.hpp"
+#include "oracle/results/scene_warnings.hpp"
 
 namespace lubjoint::reports {
 
@@ -39,12 +41,18 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
                     {"max_force", run.max_force},
                     {"t_max_force", run.t_max_force},
                     {"min_film_thickness", run.min_film_thickness},
+                    {"min_film_over_safe", run.min_film_thickness / safe_film_thickness(joint)},
                     {"t_min_film_thickness", run.t_max_eccentricity_ratio},
+                    {"motion", motion_json(motion_outcome(scene, run))},
                     {"sliding", sliding}});
   nlohmann::ordered_json summary = outcome_json(scene.name, joint.film, run.outcome, run.wall_seconds);
   summary["joints"] = joints;
+  // What only mechanisms have is here, too: programs find the same keys in every summary.
   summary["driver"] = nullptr;
+  summary["drivers"] = nlohmann::ordered_json::array();
   summary["energy_residual"] = nullptr;
+  for (const char* key : {"energy_scale", "constraint_drift", "start_correction"}) summary[key] = nullptr;
+  summary["contact_events"] = nlohmann::ordered_json::array();
   return summary;
 }
 
@@ -58,8 +66,9 @@ std::string summary_text(const Scene& scene, const JournalTrajectory& run) {
         joint.name, last.state[0], last.state[1], last.eccentricity_ratio(), last.force.x(), last.force.y());
     if (joint.shear) text += loss_text(journal_losses(scene, last));
   }
-  text += fmt::format("  extremes   eccentricity ratio {:.6f}, force {:.6g} N, film thickness {:.4g} um\n",
-                      run.max_eccentricity_ratio, run.max_force, 1e6 * run.min_film_thickness);
+  text += extremes_text(run.max_eccentricity_ratio, run.min_film_thickness, run.t_max_eccentricity_ratio, run.max_force,
+                        run.t_max_force);
+  text += motion_text(motion_outcome(scene, run));
   for (const SlidingInterval& interval : run.sliding) text += slide_text(interval.start, interval.end);
   return text;
 }

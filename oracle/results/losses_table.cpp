@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/files/files.hpp"
@@ -40,41 +41,26 @@ LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const
 
 }  // namespace
 
-std::string losses_csv(const CsvTable& states, std::string_view law, const Bearing<double>& bearing,
-                       const Lubricant<double>& oil, ShearExtent shear) {
-  const std::array<std::size_t, 6> columns = {states.column("ex"),
-                                              states.column("ey"),
-                                              states.column("vx"),
-                                              states.column("vy"),
-                                              states.column("omega_bearing"),
-                                              states.column("omega_journal")};
+std::string loss_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                         ShearExtent shear, const JournalMotion<double>& motion) {
   const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
   const Lubricant<Wide> wide_oil(oil.viscosity());
-  std::string csv = states.header() + ",fx,fy,torque_journal,torque_bearing,power,side_flow\n";
-  for (std::size_t number = 0; number < states.rows(); ++number) {
-    std::array<Wide, 6> given{};
-    for (std::size_t i = 0; i < columns.size(); ++i) given[i] = states.number(number, columns[i]);
-    const JournalMotion<Wide> motion{Vector2<Wide>(given[0], given[1]), Vector2<Wide>(given[2], given[3]), given[4],
-                                     given[5]};
-    csv += states.line(number);
-    try {
-      const LossRow row =
-          with_film_law(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, motion, shear); });
-      for (const std::optional<Wide>& value : row) {
-        csv += ',';
-        if (!value) continue;
-        const auto rounded = static_cast<double>(*value);
-        if (!std::isfinite(rounded)) {
-          states.refuse(number, "a loss is beyond the range of double precision; allowed are smaller speeds");
-        }
-        csv += reports::number(rounded);
-      }
-    } catch (const FilmDomainError& error) {
-      states.refuse(number, error.what());
+  const JournalMotion<Wide> wide{Vector2<Wide>(motion.eccentricity.x(), motion.eccentricity.y()),
+                                 Vector2<Wide>(motion.velocity.x(), motion.velocity.y()), motion.bearing_spin,
+                                 motion.journal_spin};
+  const LossRow row =
+      with_film_law(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, wide, shear); });
+  std::string fields;
+  for (const std::optional<Wide>& value : row) {
+    fields += ',';
+    if (!value) continue;
+    const auto rounded = static_cast<double>(*value);
+    if (!std::isfinite(rounded)) {
+      throw std::range_error("a loss is beyond the range of double precision; allowed are smaller speeds");
     }
-    csv += '\n';
+    fields += number(rounded);
   }
-  return csv;
+  return fields;
 }
 
 }  // namespace lubjoint::reports

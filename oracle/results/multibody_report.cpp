@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/results/loss_columns.hpp"
+#include "oracle/results/motion_words.hpp"
 #include "oracle/results/outcome_words.hpp"
+#include "oracle/results/scene_warnings.hpp"
 
 namespace lubjoint::reports {
 
@@ -41,6 +43,9 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const double c = scene.joints[j].clearance;
     const JointSample& last = run.samples.back().joints[j];
+    const double thinnest = c - run.joints[j].eccentricity.value;
+    nlohmann::ordered_json over_safe = nullptr;  // a dry joint has no film
+    if (scene.joints[j].film != no_film) over_safe = thinnest / safe_film_thickness(scene.joints[j]);
     joints.push_back({{"name", scene.joints[j].name},
                       {"final",
                        {{"ex_over_c", last.eccentricity.x() / c},
@@ -51,15 +56,19 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                       {"max_eccentricity_ratio", run.joints[j].eccentricity.value / c},
                       {"max_force", run.joints[j].force.value},
                       {"t_max_force", run.joints[j].force.t},
-                      {"min_film_thickness", c - run.joints[j].eccentricity.value},
+                      {"min_film_thickness", thinnest},
+                      {"min_film_over_safe", over_safe},
                       {"t_min_film_thickness", run.joints[j].eccentricity.t},
                       {"sliding", slides_json(run, j)}});
+    joints.back()["motion"] = motion_json(motion_outcome(scene, j, run));
     if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
   }
   const auto driver_json = [&](std::size_t d) {
     return nlohmann::ordered_json{{"name", run.driver_names[d]},
                                   {"max_moment", run.drivers[d].max_moment.value},
-                                  {"min_moment", run.drivers[d].min_moment.value}};
+                                  {"t_max_moment", run.drivers[d].max_moment.t},
+                                  {"min_moment", run.drivers[d].min_moment.value},
+                                  {"t_min_moment", run.drivers[d].min_moment.t}};
   };
   nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
   for (std::size_t d = 0; d < run.drivers.size(); ++d) drivers.push_back(driver_json(d));
@@ -98,19 +107,21 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
     const JointSample& last = run.samples.back().joints[j];
     const JointExtremes& extremes = run.joints[j];
     text += fmt::format(
-        "joint        {}\n  final      e/c = ({:.6f}, {:.6f}), eccentricity ratio {:.6f}, force ({:.6f}, {:.6f}) N\n"
-        "  extremes   eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
+        "joint        {}\n  final      e/c = ({:.6f}, {:.6f}), eccentricity ratio {:.6f}, force ({:.6f}, {:.6f}) N\n",
         scene.joints[j].name, last.eccentricity.x() / c, last.eccentricity.y() / c, last.eccentricity_ratio,
-        last.force.x(), last.force.y(), extremes.eccentricity.value / c, 1e6 * (c - extremes.eccentricity.value),
-        extremes.eccentricity.t, extremes.force.value, extremes.force.t);
+        last.force.x(), last.force.y());
+    text += extremes_text(extremes.eccentricity.value / c, c - extremes.eccentricity.value, extremes.eccentricity.t,
+                          extremes.force.value, extremes.force.t);
+    text += motion_text(motion_outcome(scene, j, run));
     if (scene.joints[j].shear) text += loss_text(last.losses);
     for (const JointSlide& slide : run.slides) {
       if (slide.joint == j) text += slide_text(slide.start, slide.end);
     }
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
-    text += fmt::format("driver       {}: moment from {:.6g} N m to {:.6g} N m\n", run.driver_names[d],
-                        run.drivers[d].min_moment.value, run.drivers[d].max_moment.value);
+    text += fmt::format("driver       {}: moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n",
+                        run.driver_names[d], run.drivers[d].min_moment.value, run.drivers[d].min_moment.t,
+                        run.drivers[d].max_moment.value, run.drivers[d].max_moment.t);
   }
   if (!scene.constraints.empty()) {
     text += fmt::format(

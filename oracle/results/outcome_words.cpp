@@ -40,4 +40,10 @@ std::string slide_text(double start, double end) {
   return fmt::format("  sliding    on the half film's jump from {:.6g} s to {:.6g} s\n", start, end);
 }
 
+std::string extremes_text(double eccentricity_ratio, double film, double t_film, double force, double t_force) {
+  return fmt::format(
+      "  extremes   eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
+      eccentricity_ratio, 1e6 * film, t_film, force, t_force);
+}
+
 }  // namespace lubjoint::reports

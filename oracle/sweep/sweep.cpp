@@ -10,6 +10,7 @@
 #include "oracle/files/parallel.hpp"
 #include "oracle/files/quoted_csv.hpp"
 #include "oracle/results/journal_report.hpp"
+#include "oracle/results/late_extremes.hpp"
 #include "oracle/results/multibody_report.hpp"
 
 namespace lubjoint::reports {
@@ -18,22 +19,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* joint_extremes[] = {"max_eccentricity_ratio", "max_force", "min_film_thickness"};
+constexpr const char* joint_extremes[] = {
+    "max_eccentricity_ratio", "max_force",         "t_max_force", "min_film_thickness",
+    "t_min_film_thickness",   "min_film_over_safe"};
+constexpr const char* late_joint_extremes[] = {"t",           "max_eccentricity_ratio", "max_force",
+                                               "t_max_force", "min_film_thickness",     "t_min_film_thickness"};
 constexpr const char* joint_ends[] = {"ex_over_c", "ey_over_c", "fx", "fy"};
-constexpr const char* driver_extremes[] = {"max_moment", "min_moment"};
+constexpr const char* driver_extremes[] = {"max_moment", "t_max_moment", "min_moment", "t_min_moment"};
 constexpr const char* costs[] = {"steps", "rejected_steps", "rhs_evaluations"};
 
-std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid) {
+std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid, bool late) {
   std::vector<std::string> columns{"index"};
   for (const SweptKey& swept : grid.keys()) columns.push_back(swept.key);
   columns.insert(columns.end(), {"status", "message", "t_end"});
   for (const SceneJoint& joint : scene.joints) {
     for (const char* name : joint_extremes) columns.push_back(joint.name + "." + name);
+    for (const char* name : late_joint_extremes) {
+      if (late) columns.push_back(joint.name + ".after." + name);
+    }
     for (const char* name : joint_ends) columns.push_back(joint.name + "." + name);
   }
   for (const SceneConstraint& each : scene.constraints) {
     if (!std::holds_alternative<Driver<double>>(each.constraint)) continue;
     for (const char* name : driver_extremes) columns.push_back(each.name + "." + name);
+    for (const char* name : driver_extremes) {
+      if (late) columns.push_back(each.name + ".after." + name);
+    }
   }
   columns.emplace_back("energy_residual");
   columns.insert(columns.end(), std::begin(costs), std::end(costs));
@@ -52,7 +63,7 @@ std::string field(const Json& value) {
 }
 
 /// The summary's values in the order of the columns, from status on.
-std::vector<std::string> fields_of(const Json& run) {
+std::vector<std::string> fields_of(const Json& run, bool late) {
   std::vector<std::string> fields;
   const auto add = [&](const Json& object, const auto& names) {
     for (const char* name : names) fields.push_back(object.is_null() ? std::string() : field(object.at(name)));
@@ -61,9 +72,13 @@ std::vector<std::string> fields_of(const Json& run) {
   add(run, ends);
   for (const Json& joint : run.at("joints")) {
     add(joint, joint_extremes);
+    if (late) add(joint.value("after", Json()), late_joint_extremes);
     add(joint.at("final"), joint_ends);
   }
-  for (const Json& driver : run.value("drivers", Json::array())) add(driver, driver_extremes);
+  for (const Json& driver : run.at("drivers")) {
+    add(driver, driver_extremes);
+    if (late) add(driver.value("after", Json()), driver_extremes);
+  }
   fields.push_back(field(run.at("energy_residual")));
   add(run, costs);
   return fields;
@@ -85,12 +100,12 @@ Json value_of_field(const std::string& text) {
 
 }  // namespace
 
-Sweep::Sweep(SceneFile file, SweepGrid grid, std::function<void(Scene&)> change)
-    : file_(std::move(file)), grid_(std::move(grid)), change_(std::move(change)) {
+Sweep::Sweep(SceneFile file, SweepGrid grid, std::function<void(Scene&)> change, LateStart late)
+    : file_(std::move(file)), grid_(std::move(grid)), change_(std::move(change)), late_(std::move(late)) {
   require_valid({0}, 1);
   const Scene first = scene(0);
   name_ = first.name;
-  columns_ = columns_of(first, grid_);
+  columns_ = columns_of(first, grid_, late_ != nullptr);
 }
 
 Scene Sweep::scene(std::size_t point) const {
@@ -107,7 +122,8 @@ void Sweep::require_valid(const std::vector<std::size_t>& points, unsigned threa
     try {
       const Scene checked = scene(points[i]);
       require_start(checked);
-      if (!columns_.empty() && columns_of(checked, grid_) != columns_) {
+      if (late_) late_(checked);
+      if (!columns_.empty() && columns_of(checked, grid_, late_ != nullptr) != columns_) {
         reason = file_.name() + ": other joints or drivers than those of point 0; allowed are the same";
       }
     } catch (const std::exception& error) {
@@ -131,7 +147,10 @@ std::string Sweep::row(std::size_t point) const {
   for (const SceneChange& change : grid_.point(point)) text += "," + quoted_field(shown(change.value));
   std::vector<std::string> fields;
   try {
-    fields = fields_of(summary(scene(point)));
+    const Scene at = scene(point);
+    Json run = summary(at);
+    if (late_ && run.at("status") == "finished") add_late_extremes(run, at, late_extremes(at, late_(at)));
+    fields = fields_of(run, late_ != nullptr);
   } catch (const std::exception& error) {  // a start at which a film or a constraint fails
     fields = {"stopped", quoted_field(error.what())};
     fields.resize(columns_.size() - 1 - grid_.keys().size());

@@ -47,14 +47,49 @@ std::optional<std::size_t> row_index(const std::string& row) {
   return index;
 }
 
+nlohmann::ordered_json json_of(const SweepIdentity& identity) {
+  nlohmann::ordered_json items;
+  for (const auto& [name, value] : identity) items[name] = value;
+  return items;
+}
+
+/// What a merge leaves beside its CSV.
+std::string merge_manifest(const SweepIdentity& identity, const std::string& csv) {
+  nlohmann::ordered_json manifest = json_of(identity);
+  manifest["csv_sha256"] = sha256(csv);
+  return manifest.dump(2) + "\n";
+}
+
+std::string file_text(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) ? read_input(file.string()) : std::string();
+}
+
 }  // namespace
+
+std::vector<std::size_t> Shard::points(std::size_t all) const {
+  std::vector<std::size_t> points;
+  for (std::size_t i = number - 1; i < all; i += count) points.push_back(i);
+  return points;
+}
+
+bool is_merged(const fs::path& folder, const std::string& stem, const SweepIdentity& identity) {
+  const std::string csv = file_text(folder / (stem + ".csv"));
+  return !csv.empty() && file_text(folder / (stem + ".json")) == merge_manifest(identity, csv);
+}
+
+std::string lock_refusal(const fs::path& part, int error) {
+  if (error == EWOULDBLOCK) {
+    return "another process is at work on \"" + part.string() + "\"; allowed is one for each shard";
+  }
+  return "\"" + part.string() + "\" can't be locked: " + std::strerror(error) +
+         "; allowed is a folder whose file system has locks (flock)";
+}
 
 SweepStore::SweepStore(fs::path folder, std::string stem, const SweepIdentity& identity,
                        const std::optional<Shard>& shard)
     : folder_(std::move(folder)), stem_(std::move(stem)), identity_(identity) {
-  nlohmann::ordered_json items;
-  for (const auto& [name, value] : identity_) items[name] = value;
-  header_ = items.dump();
+  header_ = json_of(identity_).dump();
   digest_ = sha256(header_);
   if (shard) own_ = part_of(*shard);
   read_all();  // what others have left is refused before there is a part of our own
@@ -88,9 +123,9 @@ void SweepStore::open_own() {
   descriptor_ = ::open(own_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw OutputError("\"" + own_.string() + "\" can't be written: " + std::strerror(errno));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int reason = errno;
     ::close(std::exchange(descriptor_, -1));
-    throw std::invalid_argument("another process is at work on \"" + own_.string() +
-                                "\"; allowed is one for each shard");
+    throw std::invalid_argument(lock_refusal(own_, reason));
   }
   try {
     const std::size_t whole = read_part(own_, read_input(own_.string()));
@@ -173,7 +208,7 @@ void SweepStore::add(std::size_t index, const std::string& row) {
   rows_.emplace(index, row);
 }
 
-bool SweepStore::merge(const std::string& header, std::size_t points, const fs::path& file) {
+bool SweepStore::merge(const std::string& header, std::size_t points) {
   const FolderLock lock(folder_);
   struct stat own {};
   if (descriptor_ >= 0 && ::fstat(descriptor_, &own) == 0 && own.st_nlink == 0) return true;
@@ -181,7 +216,8 @@ bool SweepStore::merge(const std::string& header, std::size_t points, const fs::
   if (rows_.size() != points) return false;
   std::string text = header + "\n";
   for (const auto& [index, row] : rows_) text += row + "\n";
-  write_file(file, text);
+  write_file(folder_ / (stem_ + ".csv"), text);
+  write_file(folder_ / (stem_ + ".json"), merge_manifest(identity_, text));
   for (const fs::path& part : parts()) fs::remove(part);
   return true;
 }

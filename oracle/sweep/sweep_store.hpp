@@ -22,7 +22,15 @@ struct Shard {
   std::size_t count = 1;
 
   bool holds(std::size_t index) const { return index % count == number - 1; }
+  std::vector<std::size_t> points(std::size_t all) const;  ///< of a grid of so many
 };
+
+/// Has a sweep of this identity been merged in a folder, and is its CSV as it was then? FOLDER/STEM.json says so, which
+/// the merge leaves beside STEM.csv: identity, and checksum of the CSV.
+bool is_merged(const std::filesystem::path& folder, const std::string& stem, const SweepIdentity& identity);
+
+/// Why a part could not be locked, of the error of flock(2).
+std::string lock_refusal(const std::filesystem::path& part, int error);
 
 /// Rows by the index of their point, in files FOLDER/STEM.NUMBER-of-COUNT.part, one a shard.
 ///
@@ -49,9 +57,9 @@ class SweepStore {
   /// Appends a row; from any thread. @throws OutputError
   void add(std::size_t index, const std::string& row);
 
-  /// If the parts hold all points: writes header and rows in order to a file, removes the parts, and says so. If
+  /// If the parts hold all points: writes header and rows in order to STEM.csv, removes the parts, and says so. If
   /// another shard has done so already, the same. @throws as the constructor
-  bool merge(const std::string& header, std::size_t points, const std::filesystem::path& file);
+  bool merge(const std::string& header, std::size_t points);
 
  private:
   std::string checksum(const std::string& line) const;

@@ -30,6 +30,12 @@ assert lubjoint.__version__ == importlib.metadata.version("lubjoint")  # of the 
 
 # Verification: scalar and vectorized functions, right and wrong, the law found.
 assert lubjoint.verify(force(False), law="pinkus_sternlicht", vectorized=False)
+assert lubjoint.verify(force(False), law="pinkus_sternlicht")  # for numbers alone, and so tried row by row
+try:
+    lubjoint.verify(lambda **state: 1 / [], law="pinkus_sternlicht")
+    raise AssertionError("a function that fails for arrays and for numbers must fail")
+except TypeError:
+    pass
 report = lubjoint.verify(force(True), law="pinkus_sternlicht", vectorized=False)
 assert not report and report["mistakes"][0]["names"] == ["inertial_attitude_rate"], report
 assert "Worst state" in str(report)

@@ -75,10 +75,17 @@ def states(quantities="cartesian", random=1000, seed=1):
 
 def _answers(function, given, names, vectorized):
     count = len(next(iter(given.values())))
+
+    def row_by_row():
+        return zip(*(function(**{name: float(column[i]) for name, column in given.items()}) for i in range(count)))
+
     if vectorized:
-        answers = function(**given)
+        try:
+            answers = function(**given)
+        except (TypeError, ValueError):  # what math.sqrt, float() and `if` make of an array
+            answers = list(row_by_row())  # where that fails, too, both errors are shown
     else:
-        answers = zip(*(function(**{name: float(column[i]) for name, column in given.items()}) for i in range(count)))
+        answers = row_by_row()
     columns = [numpy.asarray(column) for column in answers]
     if len(columns) != len(names):
         raise ValueError(f"the function gave {len(columns)} arrays; required are {len(names)}: {', '.join(names)}")
@@ -91,8 +98,10 @@ def _answers(function, given, names, vectorized):
 def verify(function, law="auto", quantities="cartesian", random=1000, seed=1, vectorized=True):
     """Compares a function with a film law, and names its likely mistake if it disagrees.
 
-    function   called with keyword arguments named as the states' columns (see states()), one array each, or numbers if
-               vectorized is False; gives the columns of the answer, e.g. (fx, fy): the force on the journal
+    function   called with keyword arguments named as the states' columns (see states()), one array each; gives the
+               columns of the answer, e.g. (fx, fy): the force on the journal. One that fails with arrays, as math.sqrt
+               does, is called with the numbers of one state at a time, which takes longer; vectorized=False does so
+               from the start
     law        a name of laws(), or "auto": find out which
     """
     names = _columns(_library.lubjoint_verify_answer_columns, quantities)

@@ -129,7 +129,17 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
   const auto& names = answer_columns(quantities);
   try {
     const reports::CsvTable table(csv, name);
-    const std::size_t id = table.column("id");
+    // Without ids a program has kept the order, if there is a row for every state.
+    const auto has = [&](std::string_view column) {
+      return std::ranges::find(table.columns(), column) != table.columns().end();
+    };
+    const bool in_order = !has("id") && std::ranges::all_of(names, has);
+    if (in_order && table.rows() != count) {
+      throw UnjudgedError(fmt::format("{}: {} rows without ids for {} states; allowed is one row a state, in order",
+                                      name, table.rows(), count) +
+                          wanted);
+    }
+    const std::size_t id = in_order ? 0 : table.column("id");
     std::vector<std::size_t> columns;
     columns.reserve(names.size());
     for (const std::string_view column : names) columns.push_back(table.column(column));
@@ -138,7 +148,7 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
     std::vector<bool> seen(count, false);
     DigitCounter digits;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      const std::optional<std::size_t> place = id_of(table.field(row, id), count);
+      const std::optional<std::size_t> place = in_order ? row : id_of(table.field(row, id), count);
       if (!place) {
         table.refuse(row, fmt::format("id is \"{}\"; allowed is a whole number from 1 to {}, the id of a state",
                                       table.field(row, id), count));

@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "lubjoint/multibody/free_journal.hpp"
@@ -134,7 +135,11 @@ class JournalRecorder {
     double t_ = 0;
   };
 
-  double output_time(std::size_t i) const { return static_cast<double>(i) * settings_.output_interval; }
+  /// i intervals; within rounding of the end it is the end.
+  double output_time(std::size_t i) const {
+    const double t = static_cast<double>(i) * settings_.output_interval;
+    return t >= settings_.duration * (1 - 4 * std::numeric_limits<double>::epsilon()) ? settings_.duration : t;
+  }
 
   template <class Mode, class State>
   void add(const Mode& mode, double t, const State& y) {

@@ -177,7 +177,11 @@ class MultibodyRecorder {
   const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
 
  private:
-  double output_time(std::size_t i) const { return static_cast<double>(i) * settings_.output_interval; }
+  /// i intervals; within rounding of the end it is the end.
+  double output_time(std::size_t i) const {
+    const double t = static_cast<double>(i) * settings_.output_interval;
+    return t >= settings_.duration * (1 - 4 * std::numeric_limits<double>::epsilon()) ? settings_.duration : t;
+  }
 
   double moment(const SystemWorkspace<R>& w, std::size_t driver) const {
     return static_cast<double>(ode_.system().reaction_on_second(driver, w)[2]);

@@ -51,9 +51,11 @@ std::string constraint_of_row(const PlanarSystem<R>& system, std::size_t row) {
   return "\"" + system.constraints()[c].name + "\"";
 }
 
-/// @throws ConstraintError that names the first constraint that repeats others, those others, and the rank
+/// Of a workspace whose positions and velocities fulfil the constraints as far as they can be.
+/// @throws ConstraintError that names the first constraint that repeats others or is conflicting with them, those
+///   others, and the rank
 template <class R>
-void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& matrix) {
+void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& matrix, const SystemWorkspace<R>& w) {
   const Eigen::Index rows = matrix.rows();
   // A constraint row counts as independent if more than this share of it is new.
   const R least = R(1e-9);
@@ -69,9 +71,26 @@ void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& ma
     if (rest.norm() > least * size) continue;
     Eigen::ColPivHouseholderQR<DenseMatrix<R>> decomposition(matrix.transpose());
     decomposition.setThreshold(least);
+    // Where Φq depends on other rows, so must Φ_t and γ, or no velocities or accelerations fulfil them all.
+    const auto disagrees = [&](const auto& value) {
+      R difference = value(w.rows[static_cast<std::size_t>(row)]);
+      R size_of_terms = std::abs(static_cast<double>(difference));
+      for (Eigen::Index k = 0; k < row; ++k) {
+        const R term = weights(k) * value(w.rows[static_cast<std::size_t>(k)]);
+        difference -= term;
+        size_of_terms += std::abs(static_cast<double>(term));
+      }
+      return std::abs(static_cast<double>(difference)) > 1e-6 * static_cast<double>(size_of_terms);  // as below
+    };
     std::ostringstream message;
-    message << "constraint " << constraint_of_row(system, static_cast<std::size_t>(row))
-            << " repeats what others fix already";
+    message << "constraint " << constraint_of_row(system, static_cast<std::size_t>(row));
+    if (disagrees([](const ConstraintRow<R>& r) { return r.time_rate; })) {
+      message << " is conflicting: it demands another velocity than others do";
+    } else if (disagrees([](const ConstraintRow<R>& r) { return r.gamma; })) {
+      message << " is conflicting: it demands another acceleration than others do";
+    } else {
+      message << " repeats what others fix already";
+    }
     std::vector<std::string> others;
     for (Eigen::Index k = 0; k < row; ++k) {
       const bool takes_part = std::abs(static_cast<double>(weights(k) * earlier.col(k).norm() / size)) > 1e-6;
@@ -132,15 +151,17 @@ StartCorrection<R> assemble_start(const PlanarSystem<R>& system, const R& t, con
     Eigen::ColPivHouseholderQR<detail::DenseMatrix<R>> decomposition(matrix.transpose());
     decomposition.setThreshold(R(1e-9));
     std::ostringstream message;
-    message << "no position near the start fulfils all constraints: the nearest leaves constraint "
+    message << "the constraints are conflicting: no position near the start fulfils them all, and the nearest leaves "
+               "constraint "
             << detail::constraint_of_row(system, static_cast<std::size_t>(worst)) << " open by "
             << static_cast<double>(size) << " m or rad; the constraints have " << rows << " rows of rank "
             << decomposition.rank() << " there; allowed are constraints that don't contradict each other";
     throw ConstraintError(message.str());
   }
-  detail::require_independent(system, matrix);
   for (Eigen::Index i = 0; i < rows; ++i) residual(i) = system.constraint_rate(static_cast<std::size_t>(i), w);
   scaled_step(matrix, residual, y.data() + n);
+  system.evaluate_kinematics(t, y.data(), w);  // γ is of the velocities
+  detail::require_independent(system, matrix, w);
 
   const auto larger = [](R& largest, const R& value) { largest = std::max<R>(largest, abs(value)); };
   for (std::size_t b = 0; b < n / 3; ++b) {

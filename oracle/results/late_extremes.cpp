@@ -1,0 +1,189 @@
+#include "oracle/results/late_extremes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
+
+namespace lubjoint::reports {
+
+namespace {
+
+void require_finished(const RunOutcome& outcome, const char* part) {
+  if (outcome.status == RunStatus::finished) return;
+  throw std::invalid_argument(
+      fmt::format("the extremes after a time need a run that reaches its end; {} {}", part, outcome.message));
+}
+
+/// The scene from a state on: drivers go on from where they are, f(t + T) = (φ₀ + ωT + ½αT²) + (ω + αT)t + ½αt².
+Scene continued(const Scene& scene, double after) {
+  Scene late = scene;
+  late.run.duration = scene.run.duration - after;
+  for (SceneConstraint& each : late.constraints) {
+    auto* driver = std::get_if<SceneDriver>(&each.kind);
+    if (driver == nullptr) continue;
+    driver->angle += after * (driver->speed + after * driver->acceleration / 2);
+    driver->speed += after * driver->acceleration;
+  }
+  return late;
+}
+
+void shift(Peak& peak, double after) { peak.t += after; }
+
+LateExtremes of_journal(const Scene& scene, const Scene& head, Scene late, double after) {
+  const double clearance = scene.joints.front().clearance;
+  if (after > 0) {
+    const JournalTrajectory before = simulate_journal(head);
+    require_finished(before.outcome, "up to it this one");
+    const JournalSample& at = before.samples.back();
+    SceneBody& body = late.bodies.front();
+    body.position = scene.joints.front().bearing.point + clearance * Vector2<double>(at.state[0], at.state[1]);
+    body.velocity = clearance * Vector2<double>(at.state[2], at.state[3]);
+    body.angle += after * body.spin;
+  }
+  const JournalTrajectory run = simulate_journal(late);
+  require_finished(run.outcome, "after it this one");
+  JointExtremes extremes;
+  extremes.eccentricity = {clearance - run.min_film_thickness, run.t_max_eccentricity_ratio + after};
+  extremes.force = {run.max_force, run.t_max_force + after};
+  return {after, {extremes}, {}};
+}
+
+LateExtremes of_mechanism(const Scene& scene, const Scene& head, Scene late, double after) {
+  if (after > 0) {
+    const MultibodyTrajectory before = simulate_multibody(head);
+    require_finished(before.outcome, "up to it this one");
+    const MultibodySample& at = before.samples.back();
+    for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+      if (at.joints[j].film_thickness > 0) continue;
+      throw std::invalid_argument(
+          fmt::format("at {} s the journal of joint \"{}\" touches its wall; allowed for the extremes after a time is "
+                      "one at which no journal does",
+                      after, scene.joints[j].name));
+    }
+    const std::size_t n = 3 * scene.bodies.size();
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      const double* q = at.state.data() + 3 * b;
+      late.bodies[b].position = {q[0], q[1]};
+      late.bodies[b].angle = q[2];
+      late.bodies[b].velocity = {q[n], q[n + 1]};
+      late.bodies[b].spin = q[n + 2];
+    }
+  }
+  const MultibodyTrajectory run = simulate_multibody(late);
+  require_finished(run.outcome, "after it this one");
+  LateExtremes result{after, run.joints, run.drivers};
+  for (JointExtremes& joint : result.joints) {
+    shift(joint.eccentricity, after);
+    shift(joint.force, after);
+  }
+  for (DriverExtremes& driver : result.drivers) {
+    shift(driver.max_moment, after);
+    shift(driver.min_moment, after);
+  }
+  return result;
+}
+
+/// How long before the end a body has turned by once less, [s]; at a constant acceleration.
+double time_of_a_revolution(double final_speed, double acceleration) {
+  const double turn = 2 * std::numbers::pi;
+  const double speed = std::abs(final_speed);
+  const double slowing = std::copysign(1.0, final_speed) * acceleration;  // backwards in time: speed·s − ½·slowing·s²
+  const double root = speed * speed - 2 * slowing * turn;
+  if (!(root >= 0)) return std::numeric_limits<double>::infinity();
+  return 2 * turn / (speed + std::sqrt(root));
+}
+
+}  // namespace
+
+LateExtremes late_extremes(const Scene& scene, double after) {
+  if (!(after >= 0 && after < scene.run.duration)) {
+    throw std::invalid_argument(
+        fmt::format("the time after which extremes are wanted is {} s; allowed is one from 0 to "
+                    "below the duration, {} s",
+                    after, scene.run.duration));
+  }
+  Scene head = scene;
+  head.run.duration = after > 0 ? after : scene.run.duration;
+  head.run.output_interval = head.run.duration;  // its end alone is wanted
+  Scene late = continued(scene, after);
+  late.run.output_interval = late.run.duration;
+  return is_free_journal(scene) ? of_journal(scene, head, std::move(late), after)
+                                : of_mechanism(scene, head, std::move(late), after);
+}
+
+double start_of_last_revolution(const Scene& scene) {
+  const double end = scene.run.duration;
+  double length = 0;
+  for (const SceneConstraint& each : scene.constraints) {
+    const auto* driver = std::get_if<SceneDriver>(&each.kind);
+    if (driver == nullptr) continue;
+    const double speed = driver->speed + end * driver->acceleration;
+    if (speed == 0) continue;
+    const double own = time_of_a_revolution(speed, driver->acceleration);
+    if (length > 0 && std::abs(own - length) > 1e-9 * length) {  // far above the rounding of equal speeds
+      throw std::invalid_argument("--last-revolution: the drivers turn at different speeds; allowed is --after");
+    }
+    length = own;
+  }
+  if (length == 0 && scene.bodies.size() == 1 && scene.bodies.front().spin != 0) {
+    length = time_of_a_revolution(scene.bodies.front().spin, 0);
+  }
+  if (length == 0) {
+    throw std::invalid_argument("--last-revolution: nothing in the scene is driven round; allowed is --after");
+  }
+  if (!(length <= end)) {
+    throw std::invalid_argument(
+        fmt::format("--last-revolution: the scene ends before one revolution is made, after {} "
+                    "s; allowed is a longer duration, or --after",
+                    end));
+  }
+  return end - length;
+}
+
+void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, const LateExtremes& late) {
+  for (std::size_t j = 0; j < late.joints.size(); ++j) {
+    const double c = scene.joints[j].clearance;
+    const JointExtremes& extremes = late.joints[j];
+    summary["joints"][j]["after"] = {{"t", late.after},
+                                     {"max_eccentricity_ratio", extremes.eccentricity.value / c},
+                                     {"max_force", extremes.force.value},
+                                     {"t_max_force", extremes.force.t},
+                                     {"min_film_thickness", c - extremes.eccentricity.value},
+                                     {"t_min_film_thickness", extremes.eccentricity.t}};
+  }
+  for (std::size_t d = 0; d < late.drivers.size(); ++d) {
+    const nlohmann::ordered_json after = {{"t", late.after},
+                                          {"max_moment", late.drivers[d].max_moment.value},
+                                          {"t_max_moment", late.drivers[d].max_moment.t},
+                                          {"min_moment", late.drivers[d].min_moment.value},
+                                          {"t_min_moment", late.drivers[d].min_moment.t}};
+    summary["drivers"][d]["after"] = after;
+    if (d == 0) summary["driver"]["after"] = after;
+  }
+}
+
+std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
+  std::string text = fmt::format("after        {:.6g} s\n", late.after);
+  for (std::size_t j = 0; j < late.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j];
+    const Peak& e = late.joints[j].eccentricity;
+    text += fmt::format("  {:<10} eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
+                        joint.name, e.value / joint.clearance, 1e6 * (joint.clearance - e.value), e.t,
+                        late.joints[j].force.value, late.joints[j].force.t);
+  }
+  std::size_t d = 0;
+  for (const SceneConstraint& each : scene.constraints) {
+    if (!std::holds_alternative<SceneDriver>(each.kind) || d >= late.drivers.size()) continue;
+    const DriverExtremes& driver = late.drivers[d++];
+    text += fmt::format("  {:<10} moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n", each.name,
+                        driver.min_moment.value, driver.min_moment.t, driver.max_moment.value, driver.max_moment.t);
+  }
+  return text;
+}
+
+}  // namespace lubjoint::reports

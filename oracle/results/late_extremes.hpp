@@ -1,0 +1,36 @@
+/// Extremes of the part of a run behind a time: those of a start are often larger than any that follow.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "lubjoint/scene/simulate.hpp"
+
+namespace lubjoint::reports {
+
+/// The largest values from a time on. Times are those of the whole run.
+struct LateExtremes {
+  double after;                         ///< [s]
+  std::vector<JointExtremes> joints;    ///< in the scene's order
+  std::vector<DriverExtremes> drivers;  ///< in the scene's order
+};
+
+/// Runs the scene to a time, and from its state there to the end: the extremes of the second part, with the accuracy of
+/// a run's own.
+/// @param after  from 0 to below the duration [s]
+/// @throws std::invalid_argument  another time, a run that stops before its end, or a journal that touches its wall at
+/// that time: the impact that it is in has begun before
+LateExtremes late_extremes(const Scene& scene, double after);
+
+/// When the last revolution of a scene begins: of its driver, or of a free journal's spin [s].
+/// @throws std::invalid_argument  nothing turns, drivers that turn differently, or less than a revolution
+double start_of_last_revolution(const Scene& scene);
+
+/// Adds the key `after` to each joint and each driver of a summary.
+void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, const LateExtremes& late);
+
+/// The lines of a summary.
+std::string late_extremes_text(const Scene& scene, const LateExtremes& late);
+
+}  // namespace lubjoint::reports

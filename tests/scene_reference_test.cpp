@@ -1,0 +1,119 @@
+// data/scenes.md names every key of a scene that the reader asks for, and no other.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <regex>
+#include <set>
+
+#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::test;
+using Keys = std::set<std::string>;
+
+namespace {
+
+const std::string root = LUBJOINT_SOURCE_DIR "/";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// First columns of the tables under a heading that begins with a text; without what stands before the last dot.
+Keys documented(const std::string& heading) {
+  Keys keys;
+  bool inside = false;
+  for (const std::string& line : lines_of(read_text(root + "data/scenes.md"))) {
+    if (line.starts_with("## ")) inside = line.starts_with("## " + heading);
+    std::smatch match;
+    if (!inside || !std::regex_search(line, match, std::regex(R"(^\| `([\w.]+)` \|)"))) continue;
+    const std::string key = match[1];
+    keys.insert(key.substr(key.rfind('.') + 1));
+  }
+  return keys;
+}
+
+/// Keys that some functions of the reader ask a table for. A call names its key as a text.
+Keys asked_for(const std::string& file, const std::vector<std::string>& functions) {
+  const std::string source = read_text(root + file);
+  Keys keys;
+  for (const std::string& function : functions) {
+    INFO(function);
+    const std::size_t begin = source.find(" " + function + "(TableReader");
+    REQUIRE(begin != std::string::npos);
+    const std::size_t body = source.find("{\n", begin);
+    const std::string text = source.substr(body, source.find("\n}\n", body) - body);
+    const std::regex call(
+        R"(\b(?:number|number_or|text|text_or|name|vector|vector_or|flag_or|table|tables|is_table|has|poisson)\("(\w+)\")");
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
+      keys.insert((*it)[1]);
+    }
+    const std::regex body_name(R"(read_body_name\(\w+, "(\w+)\")");
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), body_name); it != std::sregex_iterator(); ++it) {
+      keys.insert((*it)[1]);
+    }
+  }
+  return keys;
+}
+
+Keys both(Keys a, const Keys& b) {
+  a.insert(b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("scene reference: its tables have the keys that the reader asks for, and no other") {
+  const std::string file = "lib/src/scene_file.cpp";
+  const std::string parts = "lib/src/scene_parts.cpp";
+  CHECK(documented("The file itself") == asked_for(file, {"read_scene"}));
+  CHECK(documented("`[[bodies]]`") == asked_for(file, {"read_body"}));
+  CHECK(documented("`[[loads]]`") == asked_for(file, {"read_load"}));
+  CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_shear"}),
+                                           asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
+  CHECK(documented("`[[constraints]]`") == asked_for(parts, {"read_constraint", "read_driver", "read_sides"}));
+  CHECK(documented("`[stabilisation]`") == asked_for(parts, {"read_stabilisation"}));
+  CHECK(documented("`[integrator]`") == asked_for(file, {"read_integrator"}));
+  CHECK(documented("`[output]`") == asked_for(file, {"read_output"}));
+}
+
+TEST_CASE("scene reference: laws, integrators and defaults are those of the reader") {
+  const std::string text = read_text(root + "data/scenes.md");
+  for (const std::string_view law : film_law_names) CHECK(text.find("`" + std::string(law) + "`") != std::string::npos);
+  for (const std::string_view name : integrator_names) {
+    CHECK(text.find("`" + std::string(name) + "`") != std::string::npos);
+  }
+  const TemporaryFolder folder;
+  const Scene scene = load_scene(
+      folder.write("least.toml",
+                   "name = \"least\"\nduration = 2.0\njoints = []\n[[bodies]]\nname = \"b\"\nmass = 1\ninertia = 1\n"));
+  CHECK(scene.gravity == Vector2<double>(0, 0));
+  CHECK(scene.bodies[0].position == Vector2<double>(0, 0));
+  CHECK(scene.bodies[0].angle == 0);
+  CHECK(scene.bodies[0].spin == 0);
+  CHECK(scene.integrator == "radau_iia5");
+  CHECK(scene.run.relative_tolerance == 1e-8);
+  CHECK(scene.run.absolute_tolerance == 1e-8);
+  CHECK(scene.run.max_steps == 20'000'000);
+  CHECK(scene.run.output_interval == 2.0 / 1000);
+  CHECK_FALSE(scene.energy_ledger);
+  CHECK_FALSE(scene.stabilisation.projection);
+  CHECK(scene.stabilisation.alpha == 5);
+  CHECK(scene.stabilisation.beta == 5);
+  // The rebound at restitution 0.5: the root of the exact relation of a free impact with v0 = 1, d = 3 (1 - 1/4)/4.
+  const double d = 3 * (1 - 0.25) / 4;
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double v = (low + high) / 2;
+    (-d * v - std::log1p(-d * v) < d - std::log1p(d) ? low : high) = v;
+  }
+  CHECK(text.find("gives " + std::to_string(low).substr(0, 5) + " for 0.5") != std::string::npos);
+  CHECK(SceneContact().friction == 0);
+  CHECK(SceneContact().slow_sliding == 1e-3);
+}
