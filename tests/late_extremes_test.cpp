@@ -20,9 +20,9 @@ namespace {
 
 const std::string scenes = LUBJOINT_SOURCE_DIR "/data/scenes/";
 
-SceneDriver& driver_in(Scene& scene) {
+Driver<double>& driver_in(Scene& scene) {
   for (SceneConstraint& each : scene.constraints) {
-    if (auto* driver = std::get_if<SceneDriver>(&each.kind)) return *driver;
+    if (auto* driver = std::get_if<Driver<double>>(&each.constraint)) return *driver;
   }
   throw std::logic_error("no driver");
 }
@@ -94,7 +94,7 @@ TEST_CASE("late extremes: a start has its own, which the last revolution does no
 
 TEST_CASE("late extremes: the last revolution of a driver that speeds up or slows down is one turn") {
   Scene scene = load_scene(scenes + "slider-crank.toml");
-  SceneDriver& driver = driver_in(scene);
+  Driver<double>& driver = driver_in(scene);
   for (const double acceleration : {0.0, 5000.0, -5000.0}) {
     driver.acceleration = acceleration;
     const auto angle = [&](double t) { return t * (driver.speed + t * acceleration / 2); };

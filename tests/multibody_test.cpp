@@ -113,18 +113,19 @@ TEST_CASE("a constraint that repeats others is named, with the others and the ra
 
 TEST_CASE("two drivers of one body are conflicting if their speeds or accelerations differ, and repeat if not") {
   Scene scene = load_scene(scenes + "slider-crank-ideal.toml");
-  const auto motor = std::find_if(scene.constraints.begin(), scene.constraints.end(),
-                                  [](const auto& each) { return std::holds_alternative<SceneDriver>(each.kind); });
+  const auto motor = std::find_if(scene.constraints.begin(), scene.constraints.end(), [](const auto& each) {
+    return std::holds_alternative<Driver<double>>(each.constraint);
+  });
   REQUIRE(motor != scene.constraints.end());
-  SceneDriver second = std::get<SceneDriver>(motor->kind);
+  Driver<double> second = std::get<Driver<double>>(motor->constraint);
   const std::string first_name = motor->name;
-  const auto with_second = [&](const SceneDriver& driver) {
+  const auto with_second = [&](const Driver<double>& driver) {
     Scene both = scene;
     both.constraints.push_back({"second-motor", driver});
     return assembly_error(both);
   };
   CHECK_THAT(with_second(second), Contains("\"second-motor\" repeats"));
-  SceneDriver other = second;
+  Driver<double> other = second;
   other.speed *= 1.01;
   CHECK_THAT(with_second(other), Contains("\"second-motor\" is conflicting: it demands another velocity") &&
                                      Contains("\"" + first_name + "\""));

@@ -24,7 +24,7 @@ Scene continued(const Scene& scene, double after) {
   Scene late = scene;
   late.run.duration = scene.run.duration - after;
   for (SceneConstraint& each : late.constraints) {
-    auto* driver = std::get_if<SceneDriver>(&each.kind);
+    auto* driver = std::get_if<Driver<double>>(&each.constraint);
     if (driver == nullptr) continue;
     driver->angle += after * (driver->speed + after * driver->acceleration / 2);
     driver->speed += after * driver->acceleration;
@@ -120,7 +120,7 @@ double start_of_last_revolution(const Scene& scene) {
   const double end = scene.run.duration;
   double length = 0;
   for (const SceneConstraint& each : scene.constraints) {
-    const auto* driver = std::get_if<SceneDriver>(&each.kind);
+    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
     if (driver == nullptr) continue;
     const double speed = driver->speed + end * driver->acceleration;
     if (speed == 0) continue;
@@ -178,7 +178,7 @@ std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
   }
   std::size_t d = 0;
   for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<SceneDriver>(each.kind) || d >= late.drivers.size()) continue;
+    if (!std::holds_alternative<Driver<double>>(each.constraint) || d >= late.drivers.size()) continue;
     const DriverExtremes& driver = late.drivers[d++];
     text += fmt::format("  {:<10} moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n", each.name,
                         driver.min_moment.value, driver.min_moment.t, driver.max_moment.value, driver.max_moment.t);

@@ -34,9 +34,9 @@ double amplitude(const std::vector<Vector2<double>>& places, std::size_t begin, 
 
 /// A period of a scene that a driver turns evenly.
 std::optional<double> period_of(const Scene& scene) {
-  const SceneDriver* driver = nullptr;
+  const Driver<double>* driver = nullptr;
   for (const SceneConstraint& each : scene.constraints) {
-    const auto* another = std::get_if<SceneDriver>(&each.kind);
+    const auto* another = std::get_if<Driver<double>>(&each.constraint);
     if (another == nullptr) continue;
     if (driver != nullptr) return std::nullopt;
     driver = another;

@@ -25,7 +25,9 @@ std::string unit_guess(double given, double needed) {
   return {};
 }
 
-const SceneDriver* driver_of(const SceneConstraint& constraint) { return std::get_if<SceneDriver>(&constraint.kind); }
+const Driver<double>* driver_of(const SceneConstraint& constraint) {
+  return std::get_if<Driver<double>>(&constraint.constraint);
+}
 
 }  // namespace
 
@@ -51,10 +53,10 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
     }
   }
   for (const SceneConstraint& each : scene.constraints) {
-    const SceneDriver* driver = driver_of(each);
+    const Driver<double>* driver = driver_of(each);
     if (driver == nullptr) continue;
-    const double ground = driver->against ? scene.bodies[*driver->against].spin : 0;
-    const double given = scene.bodies[driver->body].spin - ground;
+    const double ground = driver->first != ground_body ? scene.bodies[driver->first].spin : 0;
+    const double given = scene.bodies[driver->second].spin - ground;
     for (const auto& [high, low, word] : {std::tuple{given, driver->speed, "the body's spin"},
                                           std::tuple{driver->speed, given, "the driver's speed"}}) {
       const std::string guess = unit_guess(high, low);
@@ -62,7 +64,7 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
       warnings.push_back(fmt::format(
           "warning: driver \"{}\" turns body \"{}\" at {:g} rad/s, whose spin is {:g} rad/s{} "
           "Speeds are in rad/s, and {} looks like another unit.",
-          each.name, scene.bodies[driver->body].name, driver->speed, scene.bodies[driver->body].spin, guess, word));
+          each.name, scene.bodies[driver->second].name, driver->speed, scene.bodies[driver->second].spin, guess, word));
     }
   }
   return warnings;
