@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {
@@ -59,7 +59,7 @@ std::string losses_csv(const CsvTable& states, std::string_view law, const Beari
     csv += states.line(number);
     try {
       const LossRow row =
-          with_film_law(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, motion, shear); });
+          with_every_film_law(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, motion, shear); });
       for (const std::optional<Wide>& value : row) {
         csv += ',';
         if (!value) continue;
