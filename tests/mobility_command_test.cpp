@@ -16,8 +16,8 @@ const std::string header = "ex_over_c,ey_over_c,fx,fy";
 const Bearing<long double> bearing(0.04, 0.0098, 2e-4);
 const Lubricant<long double> oil(0.4);
 
-Words arguments(std::string_view law) {
-  return {"mobility", "--law", std::string(law), "--states", "-",           "--viscosity", "0.4",
+Words arguments(std::string_view law, const std::string& viscosity = "0.4") {
+  return {"mobility", "--law", std::string(law), "--states", "-",           "--viscosity", viscosity,
           "--length", "0.04",  "--radius",       "0.0098",   "--clearance", "0.0002"};
 }
 
