@@ -51,23 +51,6 @@ std::string renewed(const std::string& text, int& blocks) {
 
 }  // namespace
 
-TEST_CASE("documentation: the README counts the extreme cases as the stored table does") {
-  std::map<std::string, int> count;
-  for (const auto& cell : read_csv(LUBJOINT_SOURCE_DIR "/data/measured/stress.csv")) {
-    ++count[cell.at("status") == "finished" && cell.at("error").empty() ? "without" : cell.at("status")];
-  }
-  std::string text = read_text(LUBJOINT_SOURCE_DIR "/README.md");
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  const auto says = [&](const char* status, const std::string& words) {
-    CHECK_THAT(text, Catch::Contains(std::to_string(count[status]) + words));
-  };
-  says("finished", " cells finished near the same program's run at a tighter tolerance");
-  says("without", " with nothing to compare with (contact)");
-  says("coarse", " further off after a warning of their own tolerance");
-  says("stopped", " stopped with a reason.");
-  CHECK(count["wrong"] == 0);
-}
-
 TEST_CASE("documentation: outputs shown are what the program prints") {
   int blocks = 0;
   for (const char* file : {"/README.md", "/oracle/verify/README.md"}) {

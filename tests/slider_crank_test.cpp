@@ -3,7 +3,7 @@
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "support/scenes.hpp"
 
 using namespace lubjoint;

@@ -22,7 +22,7 @@
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/page/sections.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 
 namespace lubjoint::reports::page {

@@ -14,8 +14,8 @@
 #include "oracle/files/files.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/paper/slider_crank_checks.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {
 

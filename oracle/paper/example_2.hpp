@@ -1,7 +1,6 @@
 /// Example 2 of the paper: the slider-crank with a lubricated gudgeon pin, checked against minimal coordinates.
 #pragma once
 
-#include <complex>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,15 +8,9 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/plot/figure.hpp"
 #include "oracle/results/check.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {
-
-/// The motion that repeats itself, and what becomes of a small deviation from it in one revolution.
-struct PeriodicOrbit {
-  double residual = 0;                            ///< |P(y) − y| of the revolution map, in clearances
-  double distance = 0;                            ///< of the run's last state from it, |Δê|
-  std::vector<std::complex<double>> multipliers;  ///< of the revolution map, largest first
-};
 
 /// One set of clearance and viscosity.
 struct Example2Case {

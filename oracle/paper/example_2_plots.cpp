@@ -5,8 +5,8 @@
 
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_2.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lubjoint/scene/simulate.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
 #include "oracle/results/check.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {
 

@@ -9,6 +9,7 @@
 #include "oracle/files/files.hpp"
 #include "oracle/trajectories/disagreement.hpp"
 #include "oracle/trajectories/extended_run.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
 #include "oracle/trajectories/trajectory_columns.hpp"
 

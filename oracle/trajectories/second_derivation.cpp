@@ -10,6 +10,7 @@
 #include "oracle/mechanisms/free_journal.hpp"
 #include "oracle/mechanisms/slider_crank_loop.hpp"
 #include "oracle/trajectories/free_journal_scene.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
 
 namespace lubjoint::reports {

@@ -8,7 +8,6 @@
 
 #include "lubjoint/scene/scene.hpp"
 #include "oracle/mechanisms/lubricated_slider_crank.hpp"
-#include "oracle/paper/slider_crank_reference.hpp"
 
 namespace lubjoint::reports {
 
@@ -18,6 +17,14 @@ inline const SceneBody& body_of(const Scene& scene, const std::string& name) {
     if (body.name == name) return body;
   }
   throw std::invalid_argument(scene.file + " has no body \"" + name + "\"; allowed is a slider-crank scene");
+}
+
+/// Speed of the scene's driver [rad/s]. @throws std::invalid_argument if it has none
+inline double crank_speed_of(const Scene& scene) {
+  for (const SceneConstraint& each : scene.constraints) {
+    if (const auto* driver = std::get_if<SceneDriver>(&each.kind)) return driver->speed;
+  }
+  throw std::invalid_argument(scene.file + " has no driver");
 }
 
 /// Length of a body of the mechanism: between the outermost points that hold it. The mass centre is in the middle.

@@ -12,6 +12,7 @@
 #include "oracle/measure/bench/race.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
 #include "oracle/trajectories/extended_run.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
 
 namespace lubjoint::reports {

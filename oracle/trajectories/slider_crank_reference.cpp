@@ -1,4 +1,4 @@
-#include "oracle/paper/slider_crank_reference.hpp"
+#include "oracle/trajectories/slider_crank_reference.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -178,13 +178,6 @@ PeriodicOrbit orbit_with(const Scene& scene, const Vector2<double>& last) {
 }  // namespace
 
 mechanisms::SliderCrank<double> slider_crank_of(const Scene& scene) { return mechanism_of<double>(scene); }
-
-double crank_speed_of(const Scene& scene) {
-  for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* driver = std::get_if<SceneDriver>(&each.kind)) return driver->speed;
-  }
-  throw std::invalid_argument(scene.file + " has no driver");
-}
 
 bool has_contact(const Scene& scene) {
   return std::any_of(scene.joints.begin(), scene.joints.end(),

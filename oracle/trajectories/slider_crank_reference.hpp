@@ -1,11 +1,12 @@
 /// The slider-crank scenes' answers by other means: closed form and minimal coordinates.
 #pragma once
 
+#include <complex>
 #include <vector>
 
-#include "lubjoint/scene/scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
 #include "oracle/mechanisms/slider_crank.hpp"
-#include "oracle/paper/example_2.hpp"
+#include "oracle/trajectories/slider_crank_scene.hpp"
 
 namespace lubjoint::reports {
 
@@ -29,12 +30,16 @@ struct ReferenceRun {
   ReferencePeaks peaks;
 };
 
+/// The motion that repeats itself, and what becomes of a small deviation from it in one revolution.
+struct PeriodicOrbit {
+  double residual = 0;                            ///< |P(y) − y| of the revolution map, in clearances
+  double distance = 0;                            ///< of the run's last state from it, |Δê|
+  std::vector<std::complex<double>> multipliers;  ///< of the revolution map, largest first
+};
+
 /// Masses and lengths of a slider-crank scene with bodies crank, rod and slider.
 /// @throws std::invalid_argument  a scene of another kind
 mechanisms::SliderCrank<double> slider_crank_of(const Scene& scene);
-
-/// Speed of the scene's driver [rad/s].
-double crank_speed_of(const Scene& scene);
 
 bool has_contact(const Scene& scene);
 
