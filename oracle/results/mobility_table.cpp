@@ -63,7 +63,7 @@ std::string mobility_csv(const CsvTable& states, std::string_view law, const Bea
 }
 
 std::string mobility_note(std::string_view law) {
-  const bool open = with_film_law(
+  const bool open = with_every_film_law(
       law, []<class Law>() { return film_potential<Law> == Potential::none && Law::extent != FilmExtent::half; });
   if (!open) return {};
   return std::string(law) + ": a velocity exists for every force; that it is the only one is measured, not proved";
