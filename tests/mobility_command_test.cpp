@@ -16,8 +16,8 @@ const std::string header = "ex_over_c,ey_over_c,fx,fy";
 const Bearing<long double> bearing(0.04, 0.0098, 2e-4);
 const Lubricant<long double> oil(0.4);
 
-Words arguments(std::string_view law) {
-  return {"mobility", "--law", std::string(law), "--states", "-",           "--viscosity", "0.4",
+Words arguments(std::string_view law, const std::string& viscosity = "0.4") {
+  return {"mobility", "--law", std::string(law), "--states", "-",           "--viscosity", viscosity,
           "--length", "0.04",  "--radius",       "0.0098",   "--clearance", "0.0002"};
 }
 
@@ -25,8 +25,8 @@ ProgramResult answer(std::string_view law, const std::string& rows) {
   return lubjoint_program(arguments(law), {.input = header + '\n' + rows});
 }
 
-std::string refused(std::string_view law, const std::string& input) {
-  const ProgramResult result = lubjoint_program(arguments(law), {.input = input});
+std::string refused(std::string_view law, const std::string& input, const char* viscosity = "0.4") {
+  const ProgramResult result = lubjoint_program(arguments(law, viscosity), {.input = input});
   CHECK(result.status == 2);
   CHECK(result.out.empty());
   return result.err;
@@ -95,5 +95,6 @@ TEST_CASE("mobility: bad options and states are refused by name, with what is al
   CHECK_THAT(refused("short_full", header + "\n1,0,1,0\n"), Contains("standard input:2: ") && Contains("[0, 1)"));
   CHECK_THAT(refused("short_full", header + "\n0,0,nan,0\n"), Contains(":2: fx is \"nan\""));
   CHECK_THAT(refused("short_full", "ex_over_c,ey_over_c,fx\n0,0,1\n"), Contains("fy"));
-  CHECK_THAT(refused("short_full", header + "\n0,0,1e308,0\n"), Contains(":2: ") && Contains("range of double"));
+  CHECK_THAT(refused("short_full", header + "\n0,0,1e308,0\n", "1e-6"),
+             Contains(":2: ") && Contains("range of double"));
 }

@@ -1,4 +1,5 @@
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/squeeze_only.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/cli/state_rows.hpp"
@@ -22,7 +23,7 @@ void forces(reports::CsvStream& states, const Bearing<double>& bearing, const Lu
     const PolarForce<Wide> force = film_force<Law>(wide_bearing, wide_oil, wide);
     std::vector<double> values = {static_cast<double>(force.radial), static_cast<double>(force.tangential)};
     if constexpr (Law::extent == FilmExtent::dynamic) {
-      const FilmBounds<double> bounds = film_bounds(Law::extent, state);
+      const FilmBounds<double> bounds = film_bounds(Law::extent, state_of_film<Law>(state));
       values.insert(values.end(), {bounds.start, bounds.end});
     }
     return values;
@@ -43,11 +44,11 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, film_law_names);
+      require_name("--law", options->law, every_film_law_name);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       answer_stream("force", options->states, [&](reports::CsvStream& states, const auto& write) {
-        with_film_law(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });
+        with_every_film_law(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });
       });
       return 0;
     };

@@ -1,7 +1,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/cli/state_rows.hpp"
@@ -55,10 +55,10 @@ void add_losses(CLI::App& app, Action& action) {
                       "(half films: streaks behind the minimum film)");
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, film_law_names);
+      require_name("--law", options->law, every_film_law_name);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
-      with_film_law(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
+      with_every_film_law(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/files/files.hpp"
@@ -24,7 +24,7 @@ void add_mobility(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, film_law_names);
+      require_name("--law", options->law, every_film_law_name);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       const reports::CsvTable states(reports::read_input(options->states), reports::input_name(options->states));

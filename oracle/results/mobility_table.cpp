@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/mobility.hpp"
 #include "oracle/files/files.hpp"
 
@@ -18,7 +19,7 @@ std::string fields(const CsvTable& states, std::size_t row, const Velocity& velo
   if (!velocity) return ",,";
   std::string text;
   for (const Wide component : {velocity->x(), velocity->y()}) {
-    const auto rounded = static_cast<double>(component);
+    const double rounded = static_cast<double>(component) + 0.0;  // no minus before a zero
     if (!std::isfinite(rounded)) {
       states.refuse(row, "the velocity is beyond the range of double precision; allowed are smaller forces");
     }
@@ -58,11 +59,11 @@ std::string mobility_csv(const CsvTable& states, std::string_view law, const Bea
                          const Lubricant<double>& oil) {
   const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
   const Lubricant<Wide> wide_oil(oil.viscosity());
-  return with_film_law(law, [&]<class Law>() { return rows<Law>(states, wide_bearing, wide_oil); });
+  return with_every_film_law(law, [&]<class Law>() { return rows<Law>(states, wide_bearing, wide_oil); });
 }
 
 std::string mobility_note(std::string_view law) {
-  const bool open = with_film_law(
+  const bool open = with_every_film_law(
       law, []<class Law>() { return Law::potential == Potential::none && Law::extent != FilmExtent::half; });
   if (!open) return {};
   return std::string(law) + ": a velocity exists for every force; that it is the only one is measured, not proved";

@@ -255,8 +255,9 @@ void require_mobility_state(const Vector2<R>& e_hat, const R& q, const Vector2<R
   if (!(q > 0) || !isfinite(force.x()) || !isfinite(force.y())) {
     std::ostringstream message;
     message.precision(17);
-    message << "no mobility at eccentricity (" << e_hat.x() << ", " << e_hat.y() << ") clearances and force ("
-            << force.x() << ", " << force.y() << "); allowed are eccentricity ratios in [0, 1) and finite forces";
+    message << "no mobility at eccentricity (" << e_hat.x() << ", " << e_hat.y()
+            << ") clearances and force over scale (" << force.x() << ", " << force.y()
+            << ") 1/s; allowed are eccentricity ratios in [0, 1) and finite forces";
     throw FilmDomainError(message.str());
   }
 }
