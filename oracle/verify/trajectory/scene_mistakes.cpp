@@ -42,13 +42,6 @@ void add_body_numbers(std::vector<SceneNumber>& list, const SceneBody& body, std
   }
 }
 
-/// Half films slide on the jump of their force, which only a free journal's runs can follow.
-bool can_be_run(std::string_view law, const Scene& scene) {
-  bool runs = true;
-  with_film_law(law, [&]<class Law>() { runs = Law::extent != FilmExtent::half || is_free_journal(scene); });
-  return runs;
-}
-
 void add_joint_changes(std::vector<SceneVariant>& list, const Scene& whole, std::size_t j) {
   const SceneJoint& joint = whole.joints[j];
   list.push_back({"bearing and journal of " + joint.name + " were exchanged",
@@ -61,7 +54,7 @@ void add_joint_changes(std::vector<SceneVariant>& list, const Scene& whole, std:
       {"the clearance of " + joint.name + " had been doubled", [j](Scene& scene) { scene.joints[j].clearance *= 2; }});
   if (joint.film == no_film) return;
   for (const std::string_view law : film_law_names) {
-    if (law == joint.film || !can_be_run(law, whole)) continue;
+    if (law == joint.film) continue;
     list.push_back({"the law of " + joint.name + " were " + std::string(law),
                     [j, law](Scene& scene) { scene.joints[j].film = law; }});
   }

@@ -119,10 +119,11 @@ class MultibodyRecorder {
     const std::size_t n = ode_.system().coordinates();
     for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
          t = output_time(++next_)) {
-      // The quintic's error in an explicit step of higher order may be a thousand tolerances.
+      // The quintic's error in an explicit step of higher order may be a thousand tolerances, and so may that of a step
+      // to an event.
       if (R(t) == step->t_new) {
         state_ = step->y_new;
-      } else if (step->is_explicit) {
+      } else if (step->sampled_by_steps) {
         by_method(*step, R(t), state_);
       } else {
         step->state_at(R(t), n, state_);

@@ -47,7 +47,9 @@ class MultibodyRun {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
       step->memory = ode_.memory();
-      step->is_explicit = !is_implicit();
+      step->sampled_by_steps = !is_implicit() || accepted.shortened;
+      // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
+      if (is_implicit() && accepted.shortened) step->smooth_rates = false;
       recorder_.step(step, by_method());
       return unresolved_contact().empty();
     });

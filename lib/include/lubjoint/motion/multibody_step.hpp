@@ -13,7 +13,7 @@ namespace lubjoint {
 template <class R>
 struct MultibodyStep : StepInterpolant<std::vector<R>> {
   std::vector<JointMemory<R>> memory;  ///< of the joints during the step
-  bool is_explicit = false;            ///< made without a Jacobian
+  bool sampled_by_steps = false;       ///< samples inside it are made by the method, not by the interpolant
 };
 
 }  // namespace lubjoint

@@ -19,6 +19,7 @@ struct StepInterpolant {
   State rate_old{};                      ///< ẏ at its start
   State rate_new{};                      ///< ẏ at its end
   bool smooth_rates = true;              ///< Integrator::has_smooth_rates
+  bool shortened = false;                ///< it ends at an event, with a rate that is not the method's own
 
   /// The state at a time inside the step.
   /// @param n  number of coordinates

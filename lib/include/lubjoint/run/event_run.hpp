@@ -116,6 +116,7 @@ class EventRun {
       step_.t_old = t;
       step_.y_old = y;
       step_.rate_old = step_.rate_new;
+      step_.shortened = false;
       const R wanted = dt;
       const R goal = next_stop(t);
       const bool last = dt >= goal - t;
@@ -151,6 +152,7 @@ class EventRun {
             system_.hold(t, y, true);
             step_.t_new = t;
             step_.y_new = y;
+            step_.shortened = true;
             system_.equations().rate(y, step_.rate_new, t);
             if (!observe(step_, stepped_at, stepped_at)) return {RunEnd::refused, 0};
           } else if (++at_once > most_at_once) {
