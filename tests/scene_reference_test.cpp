@@ -85,7 +85,7 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
 TEST_CASE("scene reference: laws, integrators and defaults are those of the reader") {
   const std::string text = read_text(root + "data/scenes.md");
   for (const std::string_view law : film_law_names) CHECK(text.find("`" + std::string(law) + "`") != std::string::npos);
-  for (const std::string_view name : integrator_names) {
+  for (const std::string_view name : integrator_names()) {
     CHECK(text.find("`" + std::string(name) + "`") != std::string::npos);
   }
   const TemporaryFolder folder;

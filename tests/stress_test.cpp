@@ -367,7 +367,7 @@ RowForce row_force(const Scene& scene, const StressReference& reference, const R
   const SceneJoint& joint = scene.joints.front();
   const auto m = mechanism_of<double>(scene);
   const double speed = crank_speed_of(scene);
-  const double sign = scene.bodies[*joint.bearing.body].name == "rod" ? 1 : -1;
+  const double sign = scene.bodies[joint.bearing.body].name == "rod" ? 1 : -1;
   const double y = m.crank_length * std::sin(speed * row.t);
   const double y_rate = m.crank_length * speed * std::cos(speed * row.t);
   const double sine = (-y - sign * joint.clearance * row.place.y()) / m.rod_length;
