@@ -76,7 +76,8 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
   CHECK(documented("`[[loads]]`") == asked_for(file, {"read_load"}));
   CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_shear"}),
                                            asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
-  CHECK(documented("`[[constraints]]`") == asked_for(parts, {"read_constraint", "read_driver", "read_sides"}));
+  CHECK(documented("`[[constraints]]`") ==
+        asked_for(parts, {"read_constraint", "read_driver", "read_ground", "read_translational", "read_sides"}));
   CHECK(documented("`[stabilisation]`") == asked_for(parts, {"read_stabilisation"}));
   CHECK(documented("`[integrator]`") == asked_for(file, {"read_integrator"}));
   CHECK(documented("`[output]`") == asked_for(file, {"read_output"}));

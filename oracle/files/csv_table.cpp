@@ -73,7 +73,7 @@ std::size_t CsvHeader::column(std::string_view name) const {
     std::string there;
     for (const std::string& known : columns_) there += (there.empty() ? "" : ", ") + known;
     fail(1, "column \"" + std::string(name) + "\" is " + (count ? "there more than once" : "missing") +
-                "; required is one such column, and the header has " + there);
+                "; allowed is a header with one such column, and this one has " + there);
   }
   return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
 }

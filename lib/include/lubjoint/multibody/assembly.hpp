@@ -76,6 +76,7 @@ void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& ma
       R difference = value(w.rows[static_cast<std::size_t>(row)]);
       R size_of_terms = std::abs(static_cast<double>(difference));
       for (Eigen::Index k = 0; k < row; ++k) {
+        if (std::abs(static_cast<double>(weights(k) * earlier.col(k).norm() / size)) <= 1e-9) continue;  // rounding
         const R term = weights(k) * value(w.rows[static_cast<std::size_t>(k)]);
         difference -= term;
         size_of_terms += std::abs(static_cast<double>(term));
