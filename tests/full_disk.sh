@@ -49,6 +49,7 @@ mount -o remount,size=8k "$4"
 dd if=/dev/zero of=filler bs=4k count=1 2>/dev/null
 refused 'No space left on device' sweep "$scene" --duration 1e-3 --vary "$changed" --out .
 rm filler
+mount -o remount,size=16k "$4"
 "$program" sweep "$scene" --duration 1e-3 --vary "$changed" --out . --json >summary 2>/dev/null || fail 'no sweep with room'
 grep -q '"run_now": 0,' summary || fail 'points ran again'
 [ "$(cat journal-sweep.csv)" = "$whole" ] || fail 'a sweep that met a full disk ends otherwise'

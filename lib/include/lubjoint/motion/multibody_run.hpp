@@ -50,7 +50,12 @@ class MultibodyRun {
       step->sampled_by_steps = !is_implicit() || accepted.shortened;
       // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
       if (is_implicit() && accepted.shortened) step->smooth_rates = false;
-      recorder_.step(step, by_method());
+      try {
+        recorder_.step(step, by_method());
+      } catch (const std::domain_error&) {  // its ends are inside a film, and what lies between them is not
+        leaves_film_ = true;
+        return false;
+      }
       return unresolved_contact().empty();
     });
     if (result.end != RunEnd::duration_reached) stop(result);
@@ -102,6 +107,8 @@ class MultibodyRun {
       case RunEnd::stalled:
         return detail::stall_reason();
       case RunEnd::refused:
+        if (leaves_film_)
+          return "a journal passes its wall inside a step whose ends are in the film; use a tighter tolerance";
         return unresolved_contact();
       case RunEnd::not_located:
         return (touches ? "a contact of " : "a change of the film's side of ") + joint() + " can't be located";
@@ -122,6 +129,7 @@ class MultibodyRun {
   MultibodyPieces<R> pieces_;
   EventRun<MultibodyPieces<R>> engine_;
   MultibodyRecorder<R> recorder_;
+  bool leaves_film_ = false;
   State y_;
   R t_{};
 };

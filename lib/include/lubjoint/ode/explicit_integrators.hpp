@@ -68,11 +68,13 @@ class ExplicitIntegrator final : public Integrator<R, N> {
     if constexpr (requires { stepper_.reset(); }) stepper_.reset();
   }
   std::unique_ptr<Integrator<R, N>> fresh() const override { return std::make_unique<ExplicitIntegrator>(tolerance_); }
-  std::size_t looks_inside() const override { return 2; }
+  std::size_t looks_inside() const override { return has_long_steps ? 8 : 2; }
   StepperCounts counts() const override { return counts_; }
 
  private:
   using Checker = ComponentErrorChecker<R, N>;
+  /// Of an order as high a step is long, and an event may come and go inside it.
+  static constexpr bool has_long_steps = ErrorStepper<State, R>::order_value > 5;
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<ErrorStepper<State, R>, Checker>;
 
   StepTolerance<R, N> tolerance_;
