@@ -9,16 +9,16 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-FOLDERS = ("film", "joint", "multibody", "dynamics")
+FOLDERS = ("film", "joint", "multibody", "ode", "run", "motion")
 
 #: Sources in lib/src that belong to one of the folders; the others there make scenes.
 SOURCES = {
     "film_batch.cpp": "film",
     "film_rows.hpp": "film",
-    "choose_integrator.cpp": "dynamics",
-    "integrators.cpp": "dynamics",
-    "rosenbrock4.cpp": "dynamics",
-    "rosenbrock4_integrator.hpp": "dynamics",
+    "choose_integrator.cpp": "motion",
+    "integrators.cpp": "ode",
+    "rosenbrock4.cpp": "ode",
+    "rosenbrock4_integrator.hpp": "ode",
 }
 
 

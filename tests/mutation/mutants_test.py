@@ -89,7 +89,7 @@ class Places(unittest.TestCase):
         self.assertEqual(len(before), len([c for c in mutants.changes(SOURCE) if c[3]]))
 
     def test_shares_add_up_and_leave_no_folder_out(self):
-        share = mutants.shares({"film": [0] * 800, "joint": [0] * 100, "multibody": [0] * 700, "dynamics": [0] * 2000}, 250)
+        share = mutants.shares({"film": [0] * 800, "joint": [0] * 100, "multibody": [0] * 700, "motion": [0] * 2000}, 250)
         self.assertEqual(sum(share.values()), 250)
         self.assertGreaterEqual(min(share.values()), 31)
 

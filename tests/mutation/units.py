@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 import embed
+import mutants
 
 #: Bounds are checked, so that a loop that runs too far is seen.
 OPTIONS = ["-O1", "-w", "-DNDEBUG", "-D_GLIBCXX_ASSERTIONS"]
@@ -166,7 +167,7 @@ class Bench:
         self.embedded = {}  # identifier: first and last line of the statement that it is in
         target = self.folder / "embedded"
         sources = [p for p in (self.root / "lib").rglob("*") if p.suffix in (".hpp", ".cpp") and p.parts[-2] in
-                   ("film", "joint", "multibody", "dynamics", "scene", "src")]  # fmt: skip
+                   (*mutants.FOLDERS, "number", "scene", "src")]  # fmt: skip
         for path in sources:
             self.embed_file(path.relative_to(self.root / "lib").as_posix())
         runtime = self.folder / "runtime.cpp"
@@ -251,7 +252,7 @@ class Bench:
             flags = [w for w in words[1:-4] if not re.match(r"-O|-W|-DNDEBUG|-g", w)]
             unit = Unit(source, flags, is_test, m.group(1))
             headers = self.includes(unit)
-            if is_test and not any(re.search(r"/lib/include/lubjoint/(film|joint|multibody|dynamics)/", h) for h in headers):
+            if is_test and not any(re.search(rf"/lib/include/lubjoint/({'|'.join(mutants.FOLDERS)})/", h) for h in headers):
                 continue
             text = b"".join(self.embedded_of(h).read_bytes() for h in sorted(headers))
             unit.state = hashlib.sha256(text + repr((flags, OPTIONS, PRECOMPILED)).encode()).hexdigest()
