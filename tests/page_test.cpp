@@ -197,9 +197,11 @@ TEST_CASE("report: the verdict is good when everything agrees, and names what do
   CHECK_THAT(section(page_of(content), "verdict"), Contains("✗ 6 of 7 agree"));
   content = full_content();
   content.stability->rows[3].status = page::RowStatus::wrong;
-  CHECK_FALSE(content.passed());
+  CHECK(content.passed());  // it is no run of this program's
+  CHECK_FALSE(content.stored_runs_are_right());
   const std::string unstable = page_of(content);
-  CHECK_THAT(section(unstable, "verdict"), Contains(" 1 wrong") && Contains("class=\"verdict bad\""));
+  CHECK_THAT(section(unstable, "verdict"), Contains(" 1 wrong") && Contains("class=\"verdict bad\"") &&
+                                               Contains("✗ Everything that this run checked agrees, but"));
   CHECK(count(section(unstable, "stability"), "<td class=\"level-wrong\"") == 1);
   // The extreme cases' own row says yes only where something was held against a reference to its end.
   const auto row_of = [](const page::Content& of) {

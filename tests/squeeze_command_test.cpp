@@ -30,7 +30,7 @@ double value(const CsvRow& row, const char* name) { return std::stod(row.at(name
 }  // namespace
 
 TEST_CASE("force: squeeze laws answer to the bit of the library, with the film of the squeeze and without the wedge") {
-  for_each_squeeze_law([]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([]<class Law>() {
     INFO(Law::name);
     const auto rows = answer("force", Law::name,
                              "eccentricity_ratio,slip_rate,squeeze_rate\n0.5,3,1\n0.5,0,1\n0.75,-2,-0.5\n0,1,2\n");
@@ -50,7 +50,7 @@ TEST_CASE("force: squeeze laws answer to the bit of the library, with the film o
 }
 
 TEST_CASE("losses: squeeze laws shear the film of the squeeze, and the bodies' power is the film's") {
-  for_each_squeeze_law([]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([]<class Law>() {
     INFO(Law::name);
     const auto rows =
         answer("losses", Law::name, "ex,ey,vx,vy,omega_bearing,omega_journal\n0.000125,0,0.25,0.5,2,50\n");
@@ -66,7 +66,7 @@ TEST_CASE("losses: squeeze laws shear the film of the squeeze, and the bodies' p
 }
 
 TEST_CASE("mobility: squeeze laws answer many along the eccentricity, none across it, and found at the centre") {
-  for_each_squeeze_law([]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([]<class Law>() {
     INFO(Law::name);
     const auto rows =
         answer("mobility", Law::name, "ex_over_c,ey_over_c,fx,fy\n0.3,0.4,-3,-4\n0.3,0.4,4,-3\n0,0,1,2\n");
@@ -87,5 +87,5 @@ TEST_CASE("a law that there is not is refused with all that there are, squeeze l
                                                 {.input = "eccentricity_ratio,slip_rate,squeeze_rate\n"});
   CHECK(result.status == 2);
   CHECK_THAT(result.err, Contains("did you mean squeeze_long?"));
-  CHECK_THROWS_WITH(with_every_film_law("none", []<class Law>() { return 0; }), Contains("squeeze_short"));
+  CHECK_THROWS_WITH(with_film_law<EveryFilmLaw>("none", []<class Law>() { return 0; }), Contains("squeeze_short"));
 }

@@ -1,11 +1,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/losses.hpp"
-#include "lubjoint/film/squeeze_long.hpp"
-#include "lubjoint/film/squeeze_long_full.hpp"
-#include "lubjoint/film/squeeze_short.hpp"
-#include "lubjoint/film/squeeze_short_full.hpp"
 #include "support/film_reference.hpp"
 #include "support/printed_value.hpp"
 
@@ -33,14 +30,6 @@ constexpr OneDimensionalFilm film_of<SqueezeShort> = OneDimensionalFilm::short_d
 template <>
 constexpr OneDimensionalFilm film_of<SqueezeLong> = OneDimensionalFilm::long_dynamic;
 
-template <class Check>
-void for_each_squeeze_law(const Check& check) {
-  check.template operator()<SqueezeLongFull>();
-  check.template operator()<SqueezeShortFull>();
-  check.template operator()<SqueezeLong>();
-  check.template operator()<SqueezeShort>();
-}
-
 }  // namespace
 
 TEST_CASE("squeeze laws: F_r/S has every printed digit of the reference at ε = 0.5 and 0.9375") {
@@ -61,7 +50,7 @@ TEST_CASE("squeeze laws: F_r/S has every printed digit of the reference at ε = 
 }
 
 TEST_CASE("squeeze laws equal the quadrature of their pressure to 1e-12, from ε = 0 to 1 - 1e-12") {
-  for_each_squeeze_law([]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([]<class Law>() {
     double worst = 0;
     for (int k = 0; k <= 48; ++k) {
       for (const double epsilon : {k / 49.0, 1 - std::pow(10, -0.25 * k)}) {
@@ -83,7 +72,7 @@ TEST_CASE("squeeze laws equal the quadrature of their pressure to 1e-12, from ε
 TEST_CASE("squeeze laws in double are right to 70 roundings at every ε up to 1 - 1e-12, opening films included") {
   std::mt19937_64 generator(8);
   std::uniform_real_distribution<double> part(0, 1);
-  for_each_squeeze_law([&]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([&]<class Law>() {
     double worst = 0;
     for (int i = 0; i < 4000; ++i) {
       const double epsilon = i % 2 == 0 ? part(generator) : 1 - std::pow(10, -12 * part(generator));
@@ -103,7 +92,7 @@ TEST_CASE("squeeze films that open keep a finite resistance at the wall: 8 long,
 }
 
 TEST_CASE("squeeze laws do not see the wedge: force, shear, power and side flow are those of a = 0") {
-  for_each_squeeze_law([]<class Law>() {
+  for_each_film_law<SqueezeFilmLaws>([]<class Law>() {
     INFO(Law::name);
     static_assert(SqueezeOnlyLaw<Law>);
     for (const double b : {0.5, -0.25}) {

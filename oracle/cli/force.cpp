@@ -44,11 +44,11 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, every_film_law_name);
+      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       answer_stream("force", options->states, [&](reports::CsvStream& states, const auto& write) {
-        with_every_film_law(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });
+        with_film_law<EveryFilmLaw>(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });
       });
       return 0;
     };

@@ -1,5 +1,4 @@
 #include <array>
-#include <stdexcept>
 
 #include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
@@ -8,32 +7,6 @@
 #include "oracle/results/losses_table.hpp"
 
 namespace lubjoint::cli {
-
-namespace {
-
-/// Adds the losses to every row of a stream with ex, ey, vx, vy, omega_bearing and omega_journal.
-/// @throws reports::CsvError that names file and line
-template <class Write, class Answer>
-void answer_motions(reports::CsvStream& states, const Write& write, const Answer& answer) {
-  std::array<std::size_t, 6> columns{};
-  constexpr std::array names = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
-  for (std::size_t i = 0; i < columns.size(); ++i) columns[i] = states.header().column(names[i]);
-  const AnsweredRows rows(states, reports::loss_column_names);
-  write(rows.header());
-  while (states.next()) {
-    std::array<double, 6> given{};
-    for (std::size_t i = 0; i < columns.size(); ++i) given[i] = states.number(columns[i]);
-    try {
-      write(rows.row() + answer({{given[0], given[1]}, {given[2], given[3]}, given[4], given[5]}) + "\n");
-    } catch (const FilmDomainError& error) {
-      states.refuse(error.what());
-    } catch (const std::range_error& error) {
-      states.refuse(error.what());
-    }
-  }
-}
-
-}  // namespace
 
 void add_losses(CLI::App& app, Action& action) {
   struct Options : BearingOptions {
@@ -55,15 +28,16 @@ void add_losses(CLI::App& app, Action& action) {
                       "(half films: streaks behind the minimum film)");
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, every_film_law_name);
+      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
-      with_every_film_law(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
+      with_film_law<EveryFilmLaw>(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
-        answer_motions(states, write, [&](const JournalMotion<double>& motion) {
-          return reports::loss_columns(options->law, bearing, oil, shear, motion);
+        constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
+        answer_numbers(states, given, reports::loss_column_names, write, [&](const std::array<double, 6>& x) {
+          return reports::loss_columns(options->law, bearing, oil, shear, {{x[0], x[1]}, {x[2], x[3]}, x[4], x[5]});
         });
       });
       return 0;

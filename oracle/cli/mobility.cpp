@@ -3,7 +3,7 @@
 #include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/files/files.hpp"
+#include "oracle/cli/state_rows.hpp"
 #include "oracle/results/mobility_table.hpp"
 
 namespace lubjoint::cli {
@@ -24,14 +24,18 @@ void add_mobility(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, every_film_law_name);
+      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
-      const reports::CsvTable states(reports::read_input(options->states), reports::input_name(options->states));
-      const std::string csv = reports::mobility_csv(states, options->law, bearing, oil);
+      answer_stream("mobility", options->states, [&](reports::CsvStream& states, const auto& write) {
+        constexpr std::array given = {"ex_over_c", "ey_over_c", "fx", "fy"};
+        answer_numbers(states, given, reports::mobility_column_names(options->law), write,
+                       [&](const std::array<double, 4>& x) {
+                         return reports::mobility_columns(options->law, bearing, oil, {x[0], x[1]}, {x[2], x[3]});
+                       });
+      });
       const std::string note = reports::mobility_note(options->law);
       if (!note.empty()) std::cerr << "note: " << note << '\n';
-      std::cout << csv;
       return 0;
     };
   });

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -94,6 +96,29 @@ void answer_rows(reports::CsvStream& states, const std::vector<std::string>& nam
     }
     csv += '\n';
     write(csv);
+  }
+}
+
+/// The same of any columns of numbers, with fields of any kind.
+/// @param given  names of the columns that are read;  @param answer  gives the added fields of their numbers, each
+///   behind its comma; std::range_error and FilmDomainError are refusals of the row
+template <std::size_t N, class Write, class Answer>
+void answer_numbers(reports::CsvStream& states, const std::array<const char*, N>& given,
+                    const std::vector<std::string>& names, const Write& write, const Answer& answer) {
+  std::array<std::size_t, N> columns{};
+  for (std::size_t i = 0; i < N; ++i) columns[i] = states.header().column(given[i]);
+  const AnsweredRows rows(states, names);
+  write(rows.header());
+  while (states.next()) {
+    std::array<double, N> numbers{};
+    for (std::size_t i = 0; i < N; ++i) numbers[i] = states.number(columns[i]);
+    try {
+      write(rows.row() + answer(numbers) + "\n");
+    } catch (const FilmDomainError& error) {
+      states.refuse(error.what());
+    } catch (const std::range_error& error) {
+      states.refuse(error.what());
+    }
   }
 }
 

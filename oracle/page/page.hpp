@@ -36,13 +36,15 @@ struct Content {
   Example2 slider_crank;
   LawChecks laws;
   BearingModelError model_error;
-  std::optional<ProofLedger> proofs;              ///< the stored ledger, where it is there
-  std::optional<RunTimes> run_times;              ///< error against run time, where it was measured
-  std::optional<Stability> stability;             ///< extreme cases, where they were run
+  std::optional<ProofLedger> proofs;   ///< the stored ledger, where it is there
+  std::optional<RunTimes> run_times;   ///< error against run time, where it was measured
+  std::optional<Stability> stability;  ///< extreme cases, where they were run
   Provenance provenance;
 
-  /// Did everything that was checked agree? What was not run does not count.
+  /// Did everything that this run checked agree? What it did not check does not count, nor do stored runs.
   bool passed() const;
+  /// Is none of the stored extreme cases wrong?
+  bool stored_runs_are_right() const;
 };
 
 /// The model error of example 1's bearing. @param example  with at least one law

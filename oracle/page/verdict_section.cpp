@@ -118,12 +118,16 @@ Section verdict_section(const Content& content) {
                           fmt::format("{} of {} agree", good_digits, content.laws.laws.size()))});
   proofs_row(table, content.proofs);
   stability_row(table, content.stability);
-  const bool good = content.passed();
+  const bool good = content.passed() && content.stored_runs_are_right();
   return {"verdict", "What was checked, and the verdict",
           filled("verdict.html",
                  {{"look", good ? "good" : "bad"},
-                  {"headline", good ? "✓ Everything that was checked agrees. What was not checked is a dash."
-                                    : "✗ Not everything agrees: see the table."},
+                  {"headline",
+                   good ? "✓ Everything that was checked agrees. What was not checked is a dash."
+                   : content.passed()
+                       ? "✗ Everything that this run checked agrees, but some of the stored runs of stress are wrong: "
+                         "see the table."
+                       : "✗ Not everything agrees: see the table."},
                   {"checks", table.html()},
                   {"ideal", checks_table("Ideal joints: what the letters stand for", {&crank.ideal_verdict})},
                   {"model", model_note(content)}})};

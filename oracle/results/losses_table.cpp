@@ -49,7 +49,7 @@ std::string loss_columns(std::string_view law, const Bearing<double>& bearing, c
                                  Vector2<Wide>(motion.velocity.x(), motion.velocity.y()), motion.bearing_spin,
                                  motion.journal_spin};
   const LossRow row =
-      with_every_film_law(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, wide, shear); });
+      with_film_law<EveryFilmLaw>(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, wide, shear); });
   std::string fields;
   for (const std::optional<Wide>& value : row) {
     fields += ',';

@@ -1,19 +1,24 @@
-/// Velocities that carry given forces, as a table.
+/// Velocities that carry given forces, as rows of a table.
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "lubjoint/film/bearing.hpp"
-#include "oracle/files/csv_table.hpp"
+#include "lubjoint/number/vector.hpp"
 
 namespace lubjoint::reports {
 
-/// The rows of a table with ex_over_c, ey_over_c [-] and fx, fy, the force on the journal [N], with ux, uy [1/s] and
-/// status added: found, none, two or many; for half films also other_ux, other_uy, the second of two velocities. From
-/// the law in extended precision, rounded once; what there is not is empty.
-/// @throws CsvError that names file and line where there is no film or a velocity leaves the range of double
-std::string mobility_csv(const CsvTable& states, std::string_view law, const Bearing<double>& bearing,
-                         const Lubricant<double>& oil);
+/// What mobility_columns gives for a law, in its order: ux, uy [1/s] and status (found, none, two or many); for half
+/// films also other_ux, other_uy, the second of two velocities.
+std::vector<std::string> mobility_column_names(std::string_view law);
+
+/// Those of a place ê and a force on the journal [N], each behind its comma; from the law in extended precision,
+/// rounded once. What there is not is empty.
+/// @throws FilmDomainError where there is no film, std::range_error if a velocity leaves the range of double
+std::string mobility_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                             const Vector2<double>& e_hat, const Vector2<double>& force);
 
 /// What the table's reader should know of a law: where uniqueness is not proved. Empty for other laws.
 std::string mobility_note(std::string_view law);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -117,6 +118,14 @@ StressRun run_scene(const Scene& scene) {
   }
 }
 
+/// Those behind are chance.
+double in_four_digits(double value) {
+  const std::string digits = fmt::format("{:.3e}", value);
+  double read = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), read);
+  return read;
+}
+
 std::string without_commas(std::string text) {
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -173,6 +182,10 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
     cell.message += (cell.message.empty() ? "" : "; ") + ("no reference: " + reference.why_none);
   }
   cell.message = without_commas(cell.message);
+  for (std::optional<double>* error : {&cell.deviation.place, &cell.deviation.rate, &cell.deviation.force}) {
+    if (*error) *error = in_four_digits(**error);
+  }
+  cell.deviation.over_expected = in_four_digits(cell.deviation.over_expected);
   return cell;
 }
 

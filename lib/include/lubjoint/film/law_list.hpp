@@ -37,36 +37,42 @@ inline constexpr auto facts_of_film_laws = []<class... Law>(std::type_identity<s
                                                        Law::extent == FilmExtent::half, Law::potential}...};
 }(std::type_identity<FilmLaws>{});
 
-/// Names of the laws, in the order of FilmLaws.
-inline constexpr auto film_law_names = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
+/// Names of the laws of a list, in its order.
+template <class Laws>
+inline constexpr auto names_of_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
   return std::array<std::string_view, sizeof...(Law)>{Law::name...};
-}(std::type_identity<FilmLaws>{});
+}(std::type_identity<Laws>{});
 
-/// Calls `visitor.template operator()<Law>()` for every law.
-template <class Visitor>
+/// Names of the laws, in the order of FilmLaws.
+inline constexpr auto film_law_names = names_of_laws<FilmLaws>;
+
+/// Calls `visitor.template operator()<Law>()` for every law of a list.
+template <class Laws = FilmLaws, class Visitor>
 void for_each_film_law(Visitor&& visitor) {
   [&]<class... Law>(std::type_identity<std::tuple<Law...>>) {
     (visitor.template operator()<Law>(), ...);
-  }(std::type_identity<FilmLaws>{});
+  }(std::type_identity<Laws>{});
 }
 
 /// The laws' names as a sentence lists them.
-inline std::string listed_film_laws() {
+template <class Laws = FilmLaws>
+std::string listed_film_laws() {
   std::string list;
-  for (const std::string_view name : film_law_names) {
+  for (const std::string_view name : names_of_laws<Laws>) {
     if (!list.empty()) list += ", ";
     list += name;
   }
   return list;
 }
 
-/// Place of a law in FilmLaws.
+/// Place of a law in a list.
 /// @throws std::invalid_argument that lists the laws there are
+template <class Laws = FilmLaws>
 constexpr std::size_t film_law_index(std::string_view name) {
-  for (std::size_t i = 0; i < film_law_names.size(); ++i) {
-    if (film_law_names[i] == name) return i;
+  for (std::size_t i = 0; i < names_of_laws<Laws>.size(); ++i) {
+    if (names_of_laws<Laws>[i] == name) return i;
   }
-  throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws());
+  throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws<Laws>());
 }
 
 /// Accepts the name of a law.
@@ -75,17 +81,17 @@ inline void require_film_law(std::string_view name) { film_law_index(name); }
 
 /// Returns `visitor.template operator()<Law>()` for the law of that name: the one place where a name becomes a type.
 /// @throws std::invalid_argument that lists the laws there are
-template <class Visitor>
+template <class Laws = FilmLaws, class Visitor>
 auto with_film_law(std::string_view name, Visitor&& visitor) {
-  using Result = decltype(visitor.template operator()<ShortFull>());
-  require_film_law(name);
+  using Result = decltype(visitor.template operator()<std::tuple_element_t<0, Laws>>());
+  film_law_index<Laws>(name);  // refuses
   if constexpr (std::is_void_v<Result>) {
-    for_each_film_law([&]<class Law>() {
+    for_each_film_law<Laws>([&]<class Law>() {
       if (Law::name == name) visitor.template operator()<Law>();
     });
   } else {
     std::optional<Result> result;
-    for_each_film_law([&]<class Law>() {
+    for_each_film_law<Laws>([&]<class Law>() {
       if (Law::name == name) result.emplace(visitor.template operator()<Law>());
     });
     return std::move(*result);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
@@ -74,9 +75,16 @@ class PeakTracker {
       const double value = confirm(step, at);
       if (value > best.value) best = {value, static_cast<double>(at)};
     };
-    if (before_) search(*before_);
-    search(*step_);
-    if (next_) search(*next_);
+    // Where the interpolant passes the wall, the largest of the places that were looked at stands.
+    const auto search_in_film = [&](const MultibodyStep<R>& step) {
+      try {
+        search(step);
+      } catch (const std::domain_error&) {
+      }
+    };
+    if (before_) search_in_film(*before_);
+    search_in_film(*step_);
+    if (next_) search_in_film(*next_);
     return best;
   }
 
