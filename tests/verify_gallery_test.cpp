@@ -85,6 +85,12 @@ TEST_CASE("gallery: every mistake that changes a pressure is caught and named fi
   check_all_mistakes(Quantities::pressure);
 }
 
+TEST_CASE("gallery: every mistake without dimensions is caught and named first, for every law") {
+  check_all_mistakes(Quantities::dimensionless);
+  for (const std::string_view law : film_law_names)
+    CHECK(mistakes_for(Quantities::dimensionless, law_of(law)).size() > 25);
+}
+
 TEST_CASE("gallery: pairs of mistakes are named in at least nine cases of ten") {
   check_pairs(Quantities::cartesian, 5);
   check_pairs(Quantities::polar, 4);

@@ -76,6 +76,26 @@ TEST_CASE("verify: the C example agrees, and its wrong variant is told its mista
   fs::remove(program);
 }
 
+TEST_CASE("verify: a program without dimensions agrees in its own unit, and is told its unit and its mistake") {
+  const std::string verify = "\"$LUBJOINT\" verify --law short_dynamic --quantities dimensionless --states 200 ";
+  const Ending right = shell(verify + "--unit 0.25 -- python3 $EXAMPLES/capone.py");
+  CHECK(right.status == 0);
+  CHECK_THAT(right.output, Contains("agrees: short_dynamic"));
+  const Ending found = shell(
+      "\"$LUBJOINT\" verify --law auto --quantities dimensionless --states 200 --unit 0.25 -- "
+      "python3 $EXAMPLES/capone.py");
+  CHECK_THAT(found.output, Contains("agrees: short_dynamic (found among all laws)"));
+  const Ending unit = shell(verify + "-- python3 $EXAMPLES/capone.py");
+  CHECK(unit.status == 1);
+  CHECK_THAT(unit.output, Contains("unit_a_quarter") && Contains("--unit 0.25"));
+  const Ending wrong = shell(verify + "--unit 0.25 -- python3 $EXAMPLES/capone.py wrong");
+  CHECK(wrong.status == 1);
+  CHECK_THAT(wrong.output, Contains("time_over_mean_spin"));
+  const Ending refused = shell("\"$LUBJOINT\" verify --law short_dynamic --unit 0.25 -- python3 $EXAMPLES/capone.py");
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.output, Contains("--unit does nothing with --quantities cartesian"));
+}
+
 TEST_CASE("verify: the Octave example agrees, and its wrong variant is told its mistake") {
   if (!have("octave-cli")) {
     WARN("skipped: Octave is not installed");

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -32,6 +33,7 @@ struct VerifyOptions {
   std::string scene;
   std::string trajectory;
   std::optional<double> tolerance;
+  double unit = 1;  ///< of answers without dimensions, over S ω
   std::string only;
   bool steady = false;
   std::string language;  ///< of the template to print
@@ -84,7 +86,7 @@ void refuse_options_without_effect(const VerifyOptions& o) {
   }
   if (!o.answers.empty() && o.program.empty()) {
     return allow("with --answers", {"--answers", "--states-out", "--law", "--quantities", "--states", "--seed",
-                                    "--golden", "--tolerance", "--only", "--steady", "--json"});
+                                    "--golden", "--tolerance", "--unit", "--only", "--steady", "--json"});
   }
   for (const std::string& name : o.given) {
     if (name == "--markdown") throw std::invalid_argument("--markdown does nothing without --list-mistakes");
@@ -104,6 +106,12 @@ void check(const VerifyOptions& o) {
   if (o.tolerance) {
     require_option("--tolerance", *o.tolerance, *o.tolerance > 0 && *o.tolerance <= 0.1, "a number above 0, to 0.1");
   }
+  const bool has_unit = std::ranges::find(o.given, "--unit") != o.given.end();
+  if (has_unit && o.quantities != "dimensionless") {
+    throw std::invalid_argument("--unit does nothing with --quantities " + o.quantities +
+                                "; allowed is it with dimensionless");
+  }
+  require_option("--unit", o.unit, std::isfinite(o.unit) && o.unit > 0, "a number above 0");
   const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
   if (ways == 1) return;
   throw std::invalid_argument(
@@ -215,6 +223,7 @@ int run(const VerifyOptions& o) {
                                                              std::chrono::duration<double>(o.timeout));
     const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
     verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
+    verify::scale(answers, o.unit);
     const verify::VerifySettings settings{o.tolerance.value_or(0), verify::words(domain_of(o, quantities))};
     return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers), settings), o.json);
   } catch (const verify::UnjudgedError& error) {
@@ -224,7 +233,11 @@ int run(const VerifyOptions& o) {
 
 /// What programs are given and have to answer, and what is right at a journal in the centre.
 std::string described_quantities() {
-  std::string text = "Columns of the states (after id), and those of the answers, SI units:\n";
+  std::string text =
+      "Columns of the states (after id), and those of the answers, SI units; without dimensions, lengths in "
+      "clearances,\n"
+      "time in 1/omega of the journal in a bearing at rest, force in S omega, S = mu R L^3/c^2 (short) or mu L "
+      "R^3/c^2:\n";
   for (const std::string_view name : verify::quantities_names) {
     const verify::Quantities quantities = verify::quantities_of(name);
     text.append("  ").append(name).append("\n    given    ");
@@ -251,7 +264,8 @@ void add_verify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("verify", words_of("verify"));
   command->add_option("--law", options->law,
                       "Film law that it claims, or auto: find out; with --scene, in place of the scene's");
-  command->add_option("--quantities", options->quantities, "cartesian, polar, wrench, transition, extent or pressure");
+  command->add_option("--quantities", options->quantities,
+                      "cartesian, polar, wrench, transition, extent, pressure or dimensionless");
   command->add_option("--states", options->states, "Random states beside the golden and the designed ones")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
   command->add_option("--seed", options->seed, "Seed of the random states");
@@ -267,6 +281,8 @@ void add_verify(CLI::App& app, Action& action) {
                       "Of answers: error over |F| that is right, for a numerical program (default: rounding, by each "
                       "state's conditioning). Of a trajectory: places in clearances, the rest in its largest value "
                       "(default: 1e-3)");
+  command->add_option("--unit", options->unit,
+                      "Unit of the force without dimensions, over S omega (default 1; Capone's is 0.25)");
   command->add_option(
       "--only", options->only,
       "Domain that the program is meant for: conditions such as \"omega_sum > 0, eccentricity_ratio > 0\"");

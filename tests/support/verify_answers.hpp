@@ -95,8 +95,8 @@ inline verify::Verification verified(verify::Quantities quantities, std::string_
   return verify::verify_answers(quantities, std::string(law), states, answers);
 }
 
-constexpr std::array<verify::Quantities, 4> all_quantities = {verify::Quantities::cartesian, verify::Quantities::polar,
-                                                              verify::Quantities::wrench,
-                                                              verify::Quantities::transition};
+constexpr std::array<verify::Quantities, 5> all_quantities = {
+    verify::Quantities::dimensionless, verify::Quantities::cartesian, verify::Quantities::polar,
+    verify::Quantities::wrench, verify::Quantities::transition};
 
 }  // namespace lubjoint::test

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include "oracle/verify/states/states.hpp"
@@ -37,15 +39,36 @@ bool shows(Quantities quantities, Law law, const std::vector<State>& states, con
   return changes;
 }
 
+/// Without dimensions many mistakes leave every answer as it is, and others are the same one: the first of those
+/// stands.
+bool differs(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake,
+             const std::vector<const Mistake*>& others) {
+  const auto same = [&](std::span<const Change> changes) {
+    return std::ranges::all_of(states, [&](const State& state) {
+      const Solution a = solve(quantities, law, state, mistake.changes);
+      const Solution b = solve(quantities, law, state, changes);
+      const Real size = 1e-6L * (std::abs(a.answer[0]) + std::abs(a.answer[1]) + size_of_terms(b));
+      return std::abs(a.answer[0] - b.answer[0]) <= size && std::abs(a.answer[1] - b.answer[1]) <= size;
+    });
+  };
+  // Neither oil nor bearing nor spin is an input.
+  const bool about_inputs = std::ranges::any_of(
+      mistake.changes, [](const Change& change) { return change.step == Step::inputs || change.step == Step::scale; });
+  if (about_inputs) return false;
+  return !same({}) && std::ranges::none_of(others, [&](const Mistake* other) { return same(other->changes); });
+}
+
 }  // namespace
 
 std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
-  const std::vector<State> states = of_film_only ? designed_states(quantities) : std::vector<State>();
+  const bool of_few_numbers = quantities == Quantities::dimensionless;
+  const std::vector<State> states = of_film_only || of_few_numbers ? designed_states(quantities) : std::vector<State>();
   for (const Mistake& mistake : gallery()) {
     if (!mistake.applies(quantities, law)) continue;
     if (of_film_only && !shows(quantities, law, states, mistake)) continue;
+    if (of_few_numbers && !differs(quantities, law, states, mistake, list)) continue;
     list.push_back(&mistake);
   }
   return list;

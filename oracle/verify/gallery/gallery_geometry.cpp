@@ -9,6 +9,12 @@ constexpr Real pi = 3.14159265358979323846264338327950288L;
 
 bool short_film(Quantities, Law law) { return is_short(law); }
 bool long_film(Quantities, Law law) { return !is_short(law); }
+bool without_dimensions(Quantities q, Law) { return q == Quantities::dimensionless; }
+
+void scale_film(Solution& s, Real factor) {
+  s.radial *= factor;
+  s.tangential *= factor;
+}
 
 template <int numerator, int denominator>
 void scale_spins(Solution& s) {
@@ -21,6 +27,44 @@ void scale_spins(Solution& s) {
 std::vector<Mistake> unit_and_geometry_mistakes() {
   using S = Solution;
   return {
+      {"unit_a_quarter",
+       "The force is in S ω/4, Capone's unit, where S ω is the one that is asked for (--unit 0.25 says so)",
+       "Every force is four times too large",
+       without_dimensions,
+       {{Step::film, [](S& s) { scale_film(s, 4); }}}},
+      {"unit_a_half",
+       "The force is in S ω/2, of the mean spin, where S ω is the one that is asked for (--unit 0.5 says so)",
+       "Every force is twice too large",
+       without_dimensions,
+       {{Step::film, [](S& s) { scale_film(s, 2); }}}},
+      {"unit_twice",
+       "The force is in 2 S ω where S ω is the one that is asked for (--unit 2 says so)",
+       "Every force is half as large",
+       without_dimensions,
+       {{Step::film, [](S& s) { scale_film(s, 0.5L); }}}},
+      {"time_over_mean_spin",
+       "Velocities are taken for clearances times ω/2, of the mean spin, not times ω",
+       "Steady rotation is right; squeeze and whirl are halved",
+       without_dimensions,
+       {{Step::rates,
+         [](S& s) {
+           s.a -= s.attitude_part / 2;
+           s.b /= 2;
+         }}}},
+      {"time_in_half",
+       "Velocities are taken for clearances times 2ω, not times ω",
+       "Steady rotation is right; squeeze and whirl are doubled",
+       without_dimensions,
+       {{Step::rates,
+         [](S& s) {
+           s.a += s.attitude_part;
+           s.b *= 2;
+         }}}},
+      {"velocities_of_turning_frame",
+       "Velocities are taken for those in axes that turn with the journal",
+       "Squeeze is right; the wedge has the other sign and three times the size in steady rotation",
+       without_dimensions,
+       {{Step::rates, [](S& s) { s.a -= 2 * s.spin_part; }}}},
       {"spins_in_rpm",
        "Spins in rad/s are taken for revolutions per minute and converted: times 2π/60",
        "The wedge is smaller by a factor 9.55 where spin causes it; pure squeeze is right",

@@ -208,7 +208,8 @@ std::vector<Mistake> motion_mistakes() {
       {"sign_of_zero_is_zero",
        "sgn(0) = 0 instead of +1 in the half film",
        "The squeeze's tangential force is missing where a = 0 exactly",
-       in_half_films,
+       // Without dimensions a is never 0 but as a difference, and either side is right there.
+       [](Quantities q, Law law) { return is_half(law) && q != Quantities::dimensionless; },
        {{Step::terms,
          [](S& s) {
            if (s.a == 0) s.tangential_squeeze = 0;

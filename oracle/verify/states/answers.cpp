@@ -177,6 +177,14 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
   }
 }
 
+void scale(Answers& answers, double unit) {
+  if (unit == 1) return;
+  for (Answer& answer : answers.values) {
+    for (double& number : answer) number *= unit;
+  }
+  answers.text.absolute *= unit;
+}
+
 Answers answers_from_numbers(std::vector<Answer> values, std::size_t columns) {
   for (Answer& answer : values) {
     for (double& value : answer) {

@@ -42,6 +42,9 @@ struct Answers {
 /// number
 Answers read_answers(Quantities quantities, std::string_view csv, const std::string& name, std::size_t count);
 
+/// Answers in another unit, which is so many of ours. A unit that is a power of two leaves their digits as they were.
+void scale(Answers& answers, double unit);
+
 /// Answers that were never text. Numbers that are not finite become NaN.
 Answers answers_from_numbers(std::vector<Answer> values, std::size_t columns);
 

@@ -88,9 +88,7 @@ Answer by_differences(const State& state, const Solution& s) {
 
 Answer input_conditioning(const State& state, const Solution& s) {
   if (std::isnan(s.answer[0])) return {};
-  const bool of_film =
-      s.quantities == Quantities::cartesian || s.quantities == Quantities::polar || s.quantities == Quantities::wrench;
-  if (!of_film) return by_differences(state, s);
+  if (!is_film_force(s.quantities)) return by_differences(state, s);
   const double force = with_film_law(name_of(s.law), [&]<class FilmLaw>() {
     return is_polar(s.quantities) ? polar_conditioning<FilmLaw>(s) : plane_conditioning<FilmLaw>(s);
   });

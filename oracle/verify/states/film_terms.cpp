@@ -81,9 +81,7 @@ Real hidden_in_long_dynamic(const Solution& s) {
   return 12 * turn_half * (std::abs(s.a) + 2 * std::abs(s.b)) / (s.q() * s.q() * s.q());
 }
 /// Of the bracket's two terms the second.
-Real hidden_in_long_half(const Solution& s) {
-  return std::abs(96 * s.b / (turn_half * s.d() * s.q() * root_of_q(s)));
-}
+Real hidden_in_long_half(const Solution& s) { return std::abs(96 * s.b / (turn_half * s.d() * s.q() * root_of_q(s))); }
 
 struct Formula {
   std::string_view law;

@@ -52,6 +52,8 @@ const std::vector<StateColumn>& state_columns(Quantities quantities) {
                          {"contact_stiffness", &State::contact_stiffness},
                          {"restitution", &State::restitution},
                          {"impact_speed", &State::impact_speed}});
+  static const std::vector<StateColumn> dimensionless = {
+      {"x", &State::ex}, {"y", &State::ey}, {"vx", &State::vx}, {"vy", &State::vy}};
   static const std::vector<StateColumn> extent(polar.begin() + 4, polar.end());  // neither oil nor bearing
   static const std::vector<StateColumn> pressure = joined(polar, {{"theta", &State::theta}, {"z", &State::z}});
   switch (quantities) {
@@ -65,6 +67,8 @@ const std::vector<StateColumn>& state_columns(Quantities quantities) {
       return wrench;
     case Quantities::transition:
       return transition;
+    case Quantities::dimensionless:
+      return dimensionless;
     case Quantities::cartesian:
       break;
   }

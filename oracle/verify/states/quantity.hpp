@@ -13,10 +13,20 @@ namespace lubjoint::verify {
 /// cartesian: force from the motion in x and y.  polar: radial and tangential force from ε and rates.
 /// wrench: cartesian, and the moments about the mass centres.  transition: cartesian, with film and dry contact.
 /// extent: where the film carries pressure, θs and θe.  pressure: at a place (θ, z), zero outside the film.
-enum class Quantities { cartesian, polar, wrench, transition, extent, pressure };
+/// dimensionless: cartesian for a journal that turns in a bearing at rest, lengths in clearances, time in 1/ω_J, force
+/// in S ω_J with S = μRL³/c² of the short laws and μLR³/c² of the long ones: cartesian with the others such that
+/// c = ω_J = S = 1.
+enum class Quantities { cartesian, polar, wrench, transition, extent, pressure, dimensionless };
 
-inline constexpr std::array<std::string_view, 6> quantities_names = {"cartesian",  "polar",  "wrench",
-                                                                     "transition", "extent", "pressure"};
+inline constexpr std::array<std::string_view, 7> quantities_names = {
+    "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless"};
+
+/// Of these is the answer the film's force, at any thickness? A transition's film is never thinner than e₁; a pressure
+/// and a film's ends say the same at any thickness.
+constexpr bool is_film_force(Quantities q) {
+  return q == Quantities::cartesian || q == Quantities::polar || q == Quantities::wrench ||
+         q == Quantities::dimensionless;
+}
 
 /// True where states are given by ε and rates.
 constexpr bool is_polar(Quantities q) {

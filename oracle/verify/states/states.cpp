@@ -164,9 +164,28 @@ void add_contact(std::vector<State>& states, Draw& draw) {
   }
 }
 
-/// A transition's film is never thinner than e₁; a pressure and a film's ends say the same at any thickness.
-bool has_thin_films(Quantities quantities) {
-  return quantities == Quantities::cartesian || quantities == Quantities::polar || quantities == Quantities::wrench;
+/// The place of a state, and a motion whose parts are a twentieth of its own, in units of the clearance and of the
+/// journal's spin. A state that jumps may lie on its jump: there the part across r is an exact half of x.
+State without_dimensions(const State& given) {
+  const Solution g = solve(Quantities::cartesian, "short_full"_law, given);
+  State s;
+  s.clearance = s.omega_journal = 1;
+  s.length = s.radius = 2;
+  s.viscosity = 1.0 / 16;  // S = 1 of short and of long laws
+  const auto gap = static_cast<double>(g.ratio_gap);
+  const bool on_axis = g.a == 0 && g.ratio > 0;
+  const double rx = on_axis ? (g.r.x() < 0 ? -1 : 1) : static_cast<double>(g.r.x());
+  const double ry = on_axis ? 0 : static_cast<double>(g.r.y());
+  const auto ratio = static_cast<double>(g.ratio);
+  const double along = static_cast<double>(g.b) / 20;
+  s.ex = of_film(ratio * rx, gap);
+  s.ey = of_film(ratio * ry, gap) + 0.0;
+  const double across = on_axis ? std::abs(s.ex) / 2 : (ratio - static_cast<double>(g.a) / 20) / 2;
+  const bool centred = ratio == 0;
+  s.vx = in_single(along * rx - (centred ? 0 : across * ry)) + 0.0;
+  s.vy = in_single(along * ry) + 0.0;
+  if (!centred) s.vy = on_axis ? across * rx : in_single(along * ry + across * rx);
+  return s;
 }
 
 }  // namespace
@@ -183,7 +202,15 @@ Regime regime_of(Quantities quantities, const State& state) {
 }
 
 std::vector<State> designed_states(Quantities quantities) {
-  const bool of_force = has_thin_films(quantities);
+  if (quantities == Quantities::dimensionless) {
+    std::vector<State> states;
+    for (const State& each : designed_states(Quantities::cartesian)) {
+      const State s = without_dimensions(each);
+      if (!sign_is_doubtful(quantities, s) && in_single(s.vy) == s.vy) states.push_back(s);
+    }
+    return states;
+  }
+  const bool of_force = is_film_force(quantities);
   Draw draw(20090409);
   std::vector<State> states;
   std::size_t turn = 0;
@@ -234,7 +261,7 @@ std::vector<State> states_to_verify(Quantities quantities, const std::filesystem
   for (State& state : designed_states(quantities)) states.push_back(std::move(state));
   std::erase_if(states, [&](const State& state) { return !holds(domain, state); });
   Draw draw(seed);
-  const bool may_be_thin = has_thin_films(quantities);
+  const bool may_be_thin = is_film_force(quantities);
   const std::size_t all = states.size() + random;
   for (std::size_t tries = 0; states.size() < all && tries < 20 * random; ++tries) {
     State s = bearing_of(draw);
@@ -250,6 +277,7 @@ std::vector<State> states_to_verify(Quantities quantities, const std::filesystem
       b = draw.between(-6, 3) * s.impact_speed / s.clearance;  // fast enough for the contact's loss to show
     }
     set_motion(s, gap, 2 * size * std::cos(direction), b, draw);
+    if (quantities == Quantities::dimensionless) s = without_dimensions(s);
     if (!sign_is_doubtful(quantities, s) && holds(domain, s)) states.push_back(s);
   }
   if (states.empty()) {

@@ -337,7 +337,7 @@ std::string Term::words() const {
 
 std::vector<Term> terms_of(const Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
   const Quantities q = judgement.quantities;
-  if (q != Quantities::cartesian && q != Quantities::polar && q != Quantities::wrench) return {};
+  if (!is_film_force(q)) return {};
   std::array<std::array<std::vector<Number>, 4>, 2> numbers;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Comparison& c = judgement.comparisons[i];
