@@ -4,12 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "lubjoint/film/law_list.hpp"
-#include "oracle/files/quoted_csv.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
@@ -263,140 +261,32 @@ TEST_CASE("Program: help and version are answers, of every command") {
   }
 }
 
-namespace {
-
-/// Are two numbers of a table the same to what rounding leaves of them? Differences ("2.8e-04") within a factor of
-/// five, or both below 1e-7, where the integrator's errors are; growth of 1e-3/s measured in double precision
-/// ("+8.9457e-04") within 1e-3 of itself; all else to the last digit.
-bool same_number(const std::string& one, const std::string& other) {
-  if (one == other) return true;
-  static const std::regex scientific("[+-]?[0-9]+\\.[0-9]+e[+-][0-9]+");
-  if (!std::regex_match(one, scientific) || !std::regex_match(other, scientific)) return false;
-  const auto mantissa = [](const std::string& text) { return text.find('e'); };
-  if (mantissa(one) != mantissa(other)) return false;
-  const bool difference = mantissa(one) <= 3;
-  if (difference && std::abs(std::stod(one)) < 1e-7 && std::abs(std::stod(other)) < 1e-7) return true;
-  const double ratio = std::stod(one) / std::stod(other);
-  const double allowed = difference ? 5 : 1.001;
-  return ratio < allowed && ratio > 1 / allowed;
-}
-
-bool same_line(const std::string& one, const std::string& other) {
-  std::istringstream words(one);
-  std::istringstream other_words(other);
-  std::string word;
-  std::string other_word;
-  while (words >> word) {
-    const std::string unit = word.ends_with(',') || word.ends_with(';') ? word.substr(0, word.size() - 1) : word;
-    if (!(other_words >> other_word)) return false;
-    const bool same_end = word.size() == unit.size() || other_word.ends_with(word.back());
-    if (word.size() != unit.size()) other_word.pop_back();
-    if (!same_end || !same_number(unit, other_word)) return false;
-  }
-  return !(other_words >> other_word);
-}
-
-/// Lines of the README's code block that follows a mark.
-std::vector<std::string> readme_block(const std::string& mark) {
-  const std::string text = read_text(std::string(LUBJOINT_SOURCE_DIR) + "/README.md");
-  const std::size_t at = text.find("<!-- " + mark + " -->\n```\n");
-  REQUIRE(at != std::string::npos);
-  const std::size_t begin = text.find("```\n", at) + 4;
-  std::istringstream block(text.substr(begin, text.find("```", begin) - begin));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(block, line);) {
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
-}
-
-/// Rows of a CSV file whose fields may be quoted.
-std::vector<CsvRow> read_quoted_csv(const std::string& path) {
-  std::istringstream text(read_text(path));
-  std::string line;
-  std::getline(text, line);
-  const std::vector<std::string> header = lubjoint::reports::split_quoted(line);
-  std::vector<CsvRow> rows;
-  while (std::getline(text, line)) {
-    const std::vector<std::string> values = lubjoint::reports::split_quoted(line);
-    REQUIRE(values.size() == header.size());
-    CsvRow row;
-    for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = values[i];
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-void check_readme(const std::string& mark, const std::string& output) {
-  const std::vector<std::string> lines = readme_block(mark);
-  CHECK(lines.size() > 5);
-  for (const std::string& line : lines) {
-    INFO("README: " << line);
-    std::istringstream printed(output);
-    bool found = false;
-    for (std::string other; !found && std::getline(printed, other);) found = same_line(line, other);
-    CHECK(found);
-  }
-}
-
-}  // namespace
-
-TEST_CASE("README: its tables are told from others by a digit") {
-  CHECK(same_line("short_full 0.060298 5.9e-02, +8.9457e-04", "short_full  0.060298 4.1e-02, +8.9460e-04"));
-  CHECK_FALSE(same_line("short_full 0.060298", "short_full 0.060299"));
-  CHECK_FALSE(same_line("short_full 5.9e-02", "short_full 5.9e-04"));
-  CHECK(same_line("2.3e-14", "1.9e-13"));
-  CHECK_FALSE(same_line("+8.9457e-04", "-8.9457e-04"));
-  CHECK_FALSE(same_line("+8.9457e-04", "+8.9957e-04"));
-  CHECK_FALSE(same_line("a yes ABC", "a yes AB–"));
-  CHECK_FALSE(same_line("a b", "a"));
-  CHECK_FALSE(same_line("a", "a b"));
-}
-
-TEST_CASE("reproduce: all eight laws agree, and the files that it names are there") {
+TEST_CASE("simulate: pictures beside the trajectory, of a journal and of a mechanism") {
   const TemporaryFolder folder;
-  const ProgramResult result = lubjoint_program({"reproduce", "--out", folder / "out"}, {.seconds = 300});
-  INFO(result.out << result.err);
-  CHECK(result.status == 0);
-  for (const std::string_view law : lubjoint::film_law_names) {
-    const std::size_t row = result.out.find("\n" + std::string(law) + " ");
-    REQUIRE(row != std::string::npos);
-    CHECK_THAT(result.out.substr(row + 1, result.out.find('\n', row + 1) - row), Contains("  yes "));
-    CHECK(std::filesystem::file_size(folder / ("out/journal-" + std::string(law) + ".csv")) > 10'000);
-  }
-  const std::vector<CsvRow> summary = read_csv(folder / "out/journal-summary.csv");
-  CHECK(summary.size() == 8);
-  for (const CsvRow& row : summary) CHECK(row.at("agrees") == "yes");
-  check_readme("reproduce", result.out);
-  check_readme("reproduce example 2", result.out);
-  // What the verdicts rest on: a row for each check, and the paper's words for the five laws that the paper has.
-  const std::vector<CsvRow> checks = read_quoted_csv(folder / "out/journal-checks.csv");
-  CHECK(checks.size() % 8 == 0);
-  std::size_t paper_says_nothing = 0;
-  for (const CsvRow& row : checks) {
-    CHECK(row.at("outcome") != "failed");
-    CHECK_FALSE(row.at("reason").empty());
-    if (row.at("what") == "the paper's words") paper_says_nothing += row.at("outcome") == "not checked";
-  }
-  CHECK(paper_says_nothing == 3);
-  std::set<std::string> judged;
-  for (const CsvRow& row : read_quoted_csv(folder / "out/slider-crank-checks.csv")) {
-    CHECK(row.at("outcome") == "passed");
-    judged.insert(row.at("what"));
-  }
-  for (const char* what : {"e/c", "joint force", "driving moment", "film thickness", "least film", "largest force"}) {
-    CHECK(judged.contains(what));
-  }
-  for (const char* plot : {"journal-orbit", "journal-fx", "journal-fy"}) {
-    for (const char* extension : {".svg", ".png"}) {
-      CHECK(std::filesystem::file_size(folder / (std::string("out/") + plot + extension)) > 1000);
+  const std::string data = std::string(LUBJOINT_SOURCE_DIR) + "/data/";
+  for (const auto& [file, name] :
+       {std::pair{scene, std::string("journal")}, std::pair{data + "examples/four-bar.toml", std::string("four-bar")},
+        std::pair{data + "scenes/impact.toml", std::string("impact")}}) {
+    const ProgramResult result =
+        lubjoint_program({"simulate", file, "--rtol", "1e-5", "--out", folder / name, "--plot"});
+    INFO(result.err);
+    CHECK(result.status == 0);
+    for (const char* what : {"-orbit", "-force", "-film"}) {
+      CHECK_THAT(result.err, Contains(" " + name + what + ".svg"));
+      const std::string svg = read_text(folder / (name + "/" + name + what + ".svg"));
+      CHECK_THAT(svg, Contains("<svg") && Contains("[") && Contains("<path"));
+      CHECK(std::filesystem::file_size(folder / (name + "/" + name + what + ".png")) > 5000);
     }
   }
-  const auto page = std::filesystem::file_size(folder / "out/report.html");
-  CHECK(page > 1'000'000);
-  CHECK(page < 5'000'000);  // a page that can be mailed
-  CHECK_THAT(result.err, Contains("report.html"));
-  for (const std::string& name : folder.entries()) CHECK(name.find(".unfinished-") == std::string::npos);
+  for (const std::string& entry : folder.entries()) CHECK(entry.find(".unfinished-") == std::string::npos);
+  const ProgramResult nowhere = lubjoint_program({"simulate", scene, "--plot"});
+  CHECK(nowhere.status == 2);
+  CHECK_THAT(nowhere.err, Contains("--plot") && Contains("--out"));
+  const ProgramResult nothing =
+      lubjoint_program({"simulate", data + "scenes/slider-crank-ideal.toml", "--out", folder / "ideal", "--plot"});
+  CHECK(nothing.status == 2);
+  CHECK_THAT(nothing.err, Contains("--plot draws joints"));
+  CHECK_FALSE(std::filesystem::exists(folder / "ideal"));
 }
 
 TEST_CASE("simulate: every scene that ships runs to its end") {

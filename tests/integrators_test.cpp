@@ -201,7 +201,7 @@ TEST_CASE("Integrators: a rate outside its domain rejects the step, halves it, a
   }
 }
 
-TEST_CASE("Integrators: a name that is none is refused") {
+TEST_CASE("Integrators: a name that is not one of theirs is refused") {
   CHECK_THROWS_WITH(made("euler", 1e-6), Catch::Contains("no integrator \"euler\""));
 }
 

@@ -116,6 +116,21 @@ TEST_CASE("report: every table has a caption and headings that say what they hea
   }
 }
 
+TEST_CASE("report: powers of ten are written as such, and nothing else is") {
+  CHECK(page::with_powers("at most 2.0e-10 c; 1e-06 to 3e-05 of its peak") ==
+        "at most 2.0 × 10⁻¹⁰ c; 10⁻⁶ to 3 × 10⁻⁵ of its peak");
+  CHECK(page::with_powers("the rate e/c, eq5, 1e+08") == "the rate e/c, eq5, 10⁸");
+  CHECK(page::with_powers("") == "");
+}
+
+TEST_CASE("report: tables of words are cards on a phone, where each cell says its heading") {
+  page::Table table("T", {{"what", {}, false}, {"found <here>"}});
+  table.row({"a", "-1"});
+  CHECK(table.html().find("data-head") == std::string::npos);
+  CHECK_THAT(table.as_cards().html(), Contains("<div class=\"scroll cards\"") &&
+                                          Contains("<td class=\"number\" data-head=\"found &lt;here&gt;\">−1</td>"));
+}
+
 TEST_CASE("report: figures 9 to 11 and 13 to 21 are drawn, described, and stand beside the paper's words") {
   const std::string& html = full_page();
   std::vector<std::string> panels = {"figure-14-orbit", "figure-15-orbit"};
@@ -163,9 +178,11 @@ TEST_CASE("report: each check of a verdict is listed with what it is held agains
   const auto listed = [](const std::string& html, const std::vector<const reports::Verdict*>& verdicts) {
     for (const reports::CheckSummary& line : reports::summary_of_checks(verdicts)) {
       INFO(line.what);
-      const std::string row = "<th scope=\"row\">" + line.letter + "</th><td>" + page::escaped(line.what) + "</td><td>";
-      CHECK_THAT(html, Contains(row + page::escaped(line.passed > 0 ? line.against : "–") + "</td>"));
-      CHECK_THAT(html, Contains("<td>" + page::escaped(line.reason) + "</td>"));
+      const std::string row = "<th scope=\"row\">" + line.letter + "</th><td data-head=\"what\">" +
+                              page::escaped(line.what) + "</td><td data-head=\"against\">";
+      CHECK_THAT(html,
+                 Contains(row + page::escaped(line.passed > 0 ? page::with_powers(line.against) : "–") + "</td>"));
+      CHECK_THAT(html, Contains(">" + page::escaped(page::with_powers(line.reason)) + "</td>"));
     }
   };
   listed(section(full_page(), "equilibrium"), content.journal.verdicts());
@@ -173,7 +190,8 @@ TEST_CASE("report: each check of a verdict is listed with what it is held agains
   listed(section(full_page(), "verdict"), {&content.slider_crank.ideal_verdict});
   page::Content other = full_content();
   for (auto& law : other.journal.laws) law.verdict.checks.back() = reports::paper_check(law.found, "-");
-  CHECK_THAT(section(page_of(other), "equilibrium"), Contains("<td>the paper has no such law</td><td>–</td>"));
+  CHECK_THAT(section(page_of(other), "equilibrium"),
+             Contains(">the paper has no such law</td><td data-head=\"outcome\">–</td>"));
 }
 
 TEST_CASE("report: the verdict is good when everything agrees, and names what does not") {
@@ -281,9 +299,10 @@ TEST_CASE("report: the fastest integrator at equal error is that of the data") {
   content.run_times->measured_by = "a program & <a machine>";
   const std::string words = section(page_of(content), "run-time");
   CHECK_THAT(words,
-             Contains("<td>500 ms</td><td>dopri5, 3 ms</td><td>cvode_adams, 2 ms</td><td>–</td>"
-                      "<td>cvode_adams</td><td>cvode_adams; of lubjoint&#39;s own dopri5, 1.5 times as long</td>"));
-  CHECK_THAT(words, Contains("<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td><td>none reaches it</td>"));
+             Contains("<td>500 ms</td><td>dopri5, 3 ms</td><td>cvode_adams, 2 ms</td><td>–</td></tr>") &&
+                 Contains("<td>cvode_adams</td><td>cvode_adams; of lubjoint&#39;s own dopri5, 1.5 times as long</td>"));
+  CHECK_THAT(words, Contains("<td>–</td><td>–</td><td>–</td><td>–</td></tr>") &&
+                        Contains("<td>–</td><td>none reaches it</td>"));
   CHECK_THAT(words, Contains("stopped: gave up"));
   CHECK_THAT(words, Contains("Measured by a program &amp; &lt;a machine&gt;."));
 }

@@ -1,11 +1,15 @@
 // Warnings of what a scene's author has probably not meant, and of films that are too thin.
 #include "oracle/results/scene_warnings.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numbers>
 
 #include "lubjoint/scene/scene_file.hpp"
+#include "oracle/results/squeeze_reynolds.hpp"
 #include "support/run_program.hpp"
+#include "support/scene_text.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::reports;
@@ -91,4 +95,65 @@ TEST_CASE("warnings: a film under the safe thickness, which is 3 um for a bearin
   const ProgramResult rows =
       lubjoint_program({"sweep", thin, "--vary", "joints.gudgeon-pin.viscosity=0.04,0.4", "--rtol", "1e-6"});
   CHECK_THAT(rows.out, Contains("gudgeon-pin.min_film_over_safe"));
+}
+
+TEST_CASE("warnings: the oil's inertia, by the squeeze Reynolds number, where the scene has its density") {
+  Scene scene = load_scene(journal_scene_file);
+  CHECK_FALSE(squeeze_reynolds(scene, simulate_journal(scene)));
+  scene.joints[0].density = 850;
+  const JournalTrajectory run = simulate_journal(scene);
+  const auto film = squeeze_reynolds(scene, run);
+  REQUIRE(film);
+  // No squeeze of it is as fast as its spin: ρ ω c²/μ.
+  CHECK(film->number == Approx(850 * 52.35987755982989 * 2e-4 * 2e-4 / 0.4).epsilon(1e-14));  // rounding
+  CHECK(squeeze_reynolds_warning(scene.joints[0], film).empty());
+  CHECK_THAT(squeeze_reynolds_text(film), Contains("squeeze Reynolds number 0.00445"));
+  scene.joints[0].density = 2e5;  // just above 1
+  CHECK_THAT(squeeze_reynolds_warning(scene.joints[0], squeeze_reynolds(scene, run)),
+             Contains("is 1.05 at 0 s, above 1"));
+
+  // In a mechanism the squeeze is faster: the rate of e as the bearing sees it, from differences of its places.
+  Scene crank = load_scene(data + "scenes/slider-crank-c0.5-mu0.04.toml");
+  crank.joints[0].density = 850;
+  const MultibodyTrajectory motion = simulate_multibody(crank);
+  const auto of_crank = squeeze_reynolds(crank, 0, motion);
+  REQUIRE(of_crank);
+  const SceneJoint& joint = crank.joints[0];
+  const auto seen = [&](const MultibodySample& s) {
+    const double angle = joint.bearing.on_ground() ? 0 : s.state[3 * joint.bearing.body + 2];
+    const Vector2<double>& e = s.joints[0].eccentricity;
+    return Vector2<double>(std::cos(angle) * e.x() + std::sin(angle) * e.y(),
+                           -std::sin(angle) * e.x() + std::cos(angle) * e.y());
+  };
+  double fastest = 0;
+  for (std::size_t i = 1; i + 1 < motion.samples.size(); ++i) {
+    const double span = motion.samples[i + 1].t - motion.samples[i - 1].t;
+    fastest = std::max(fastest, (seen(motion.samples[i + 1]) - seen(motion.samples[i - 1])).norm() / span);
+  }
+  CHECK(of_crank->rate == Approx(fastest / joint.clearance).epsilon(0.1));  // differences over two output times
+  CHECK(of_crank->number == Approx(850 * of_crank->rate * 5e-4 * 5e-4 / 0.04).epsilon(1e-14));
+}
+
+TEST_CASE("density in a scene: printed and warned of in simulate; refused where there is no oil") {
+  const TemporaryFolder folder;
+  const SceneText& text = journal_text();
+  const SceneField& viscosity = text.field("joints[0].viscosity");
+  const std::string given = text.replaced(viscosity, "viscosity = 0.4\ndensity = 2e5");
+  const ProgramResult run = lubjoint_program({"simulate", folder.write("dense.toml", given)});
+  CHECK_THAT(run.out, Contains("inertia    squeeze Reynolds number 1.05"));
+  CHECK_THAT(run.err, Contains("squeeze Reynolds number of joint \"bearing\" is 1.05"));
+  CHECK(lubjoint_program({"simulate", journal_scene_file}).out.find("inertia") == std::string::npos);
+  for (const char* density : {"0", "-850"}) {
+    const std::string wrong = text.replaced(viscosity, std::string("viscosity = 0.4\ndensity = ") + density);
+    CHECK_THROWS_WITH(load_scene(folder.write("wrong.toml", wrong)), Contains("density is ") && Contains("kg/m^3"));
+  }
+  const std::string dry = text.with("joints[0].film", "\"none\"");
+  const std::string contact =
+      "\n[joints.contact]\nbearing_modulus = 2e11\nbearing_poisson = 0.3\njournal_modulus = 2e11\n"
+      "journal_poisson = 0.3\nrestitution = 0.5\nmin_impact_speed = 1e-3\n[integrator]";
+  std::string with_contact = dry;
+  with_contact.replace(with_contact.find("\n[integrator]"), 13, contact);
+  with_contact.replace(with_contact.find("viscosity = 0.4"), 15, "density = 850");
+  CHECK_THROWS_WITH(load_scene(folder.write("dry.toml", with_contact)),
+                    Contains("density") && Contains("there is no oil"));
 }

@@ -113,6 +113,12 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
   }
   read_contact(table, joint);
   joint.shear = read_shear(table, joint.film);
+  if (table.has("density")) {
+    const double density = table.number("density", Allowed::positive, "kg/m^3");
+    if (dry)
+      table.refuse("density", with_unit(density, "kg/m^3"), "no density where film is \"none\": there is no oil");
+    joint.density = density;
+  }
   joint.bearing = read_anchor(table.table("bearing"), scene);
   joint.journal = read_anchor(table.table("journal"), scene);
   if (joint.bearing.body == joint.journal.body) {
@@ -223,7 +229,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// May a string open at this quote? Within a word it is part of a value that is none, up to whose end toml++ reads on.
+/// May a string open at this quote? Within a word it is part of a value that is not allowed, up to whose end toml++ reads on.
 bool opens_string(std::string_view text, std::size_t quote) {
   return quote == 0 || std::string_view(" \t\r\n=,[{.").find(text[quote - 1]) != std::string_view::npos;
 }

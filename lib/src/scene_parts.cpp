@@ -10,7 +10,9 @@ namespace lubjoint {
 
 namespace {
 
-SceneContact read_contact_table(TableReader table) {
+constexpr std::string_view contact_form_names[] = {"point", "cylinder"};  // in the order of ContactForm
+
+SceneContact read_contact_table(TableReader table, double length) {
   SceneContact contact;
   contact.bearing_modulus = table.number("bearing_modulus", Allowed::positive, "Pa");
   contact.journal_modulus = table.number("journal_modulus", Allowed::positive, "Pa");
@@ -26,6 +28,13 @@ SceneContact read_contact_table(TableReader table) {
   contact.min_impact_speed = table.number("min_impact_speed", Allowed::positive, "m/s");
   contact.friction = table.number_or("friction", 0, Allowed::not_negative, "-");
   contact.slow_sliding = table.number_or("slow_sliding", contact.slow_sliding, Allowed::positive, "m/s");
+  const std::string form = table.text_or("form", "point");
+  const auto* known = std::ranges::find(contact_form_names, form);
+  if (known == std::end(contact_form_names)) table.refuse("form", in_quotes(form), "\"point\" or \"cylinder\"");
+  contact.form = static_cast<ContactForm>(known - contact_form_names);
+  if (contact.form == ContactForm::cylinder && length == 0) {
+    table.refuse("form", in_quotes(form) + " without a length of the bearing", "length beside it, or \"point\"");
+  }
   table.finish();
   return contact;
 }
@@ -139,7 +148,7 @@ void read_contact(TableReader& joint_table, SceneJoint& joint) {
   }
   const bool needed = dry || joint.transition;
   if (needed) {
-    joint.contact = read_contact_table(joint_table.table("contact"));
+    joint.contact = read_contact_table(joint_table.table("contact"), joint.length);
   } else if (joint_table.has("contact")) {
     joint_table.refuse("contact", "given without a transition",
                        "transition = {e0, e1} beside it, or film = \"none\" for a dry joint");

@@ -1,5 +1,6 @@
 #include "lubjoint/scene/trajectory_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lubjoint/film/film_state.hpp"
@@ -93,9 +94,9 @@ TrajectoryTable trajectory_table(const Scene& scene, const MultibodyTrajectory& 
     }
     for (std::size_t k = 0; k < s.joints.size(); ++k) {
       const JointSample& j = s.joints[k];
-      row.insert(row.end(),
-                 {j.eccentricity.x(), j.eccentricity.y(), j.eccentricity_ratio,
-                  std::atan2(j.eccentricity.y(), j.eccentricity.x()), j.force.x(), j.force.y(), j.film_thickness});
+      row.insert(row.end(), {j.eccentricity.x(), j.eccentricity.y(), j.eccentricity_ratio,
+                             std::atan2(j.eccentricity.y(), j.eccentricity.x()), j.force.x(), j.force.y(),
+                             std::max(j.film_thickness, 0.0)});  // in contact there is none
       if (scene.joints[k].shear) add_losses(row, j.losses);
     }
     row.insert(row.end(), s.driving_moments.begin(), s.driving_moments.end());

@@ -9,23 +9,37 @@
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/late_extremes.hpp"
 #include "oracle/results/multibody_report.hpp"
+#include "oracle/results/run_plots.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/squeeze_reynolds.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 
 namespace lubjoint::cli {
 
 namespace {
 
-/// Trajectory to a file if asked for, summary to standard output.
+/// Where a run is to go, and how.
+struct Output {
+  std::optional<std::string> folder;  ///< of the trajectory and the plots
+  bool plot = false;
+  bool json = false;
+};
+
+/// Trajectory and plots to files if asked for, summary to standard output.
 template <class Trajectory>
 void report(const Scene& scene, const Trajectory& run, const std::optional<reports::LateExtremes>& late,
-            const std::optional<std::string>& out, bool json) {
-  if (out) {
-    const auto file = std::filesystem::path(*out) / (scene.name + ".csv");
+            const Output& output) {
+  if (output.folder) {
+    const auto file = std::filesystem::path(*output.folder) / (scene.name + ".csv");
     reports::write_file(file, reports::trajectory_csv(scene, run));
     std::cerr << "trajectory written to " << file.string() << '\n';
   }
-  if (json) {
+  if (output.plot) {
+    std::string files;
+    for (const std::string& name : reports::write_run_plots(scene, run, *output.folder)) files += " " + name;
+    std::cerr << "plots:" << files << '\n';
+  }
+  if (output.json) {
     nlohmann::ordered_json summary = reports::summary_json(scene, run);
     if (late) reports::add_late_extremes(summary, scene, *late);
     std::cout << summary.dump(2) << '\n';
@@ -50,26 +64,28 @@ std::optional<reports::LateExtremes> late_of(const Scene& scene, const RunOutcom
   return std::nullopt;
 }
 
-int simulate(const Scene& scene, const std::optional<double>& after, const std::optional<std::string>& out, bool json) {
+int simulate(const Scene& scene, const std::optional<double>& after, const Output& output) {
   warn(reports::unit_warnings(scene));
   // Where the film model itself is in doubt, the tolerance too coarse for the film, or the film too thin for a bearing.
   if (is_free_journal(scene)) {
     const JournalTrajectory run = simulate_journal(scene);
     const SceneJoint& joint = scene.joints[0];
-    report(scene, run, late_of(scene, run.outcome, after), out, json);
+    report(scene, run, late_of(scene, run.outcome, after), output);
     warn({reports::thin_film_warning(joint, run.min_film_thickness, run.t_max_eccentricity_ratio),
+          reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, run)),
           reports::resolution_warning(scene, joint, reports::thinnest_film(scene, run)),
           reports::unseen_warning(scene, joint, run.outcome.integrator),
           reports::model_warning(joint, reports::visited_model_error(scene, run))});
     return run.outcome.status == RunStatus::finished ? 0 : 1;
   }
   const MultibodyTrajectory run = simulate_multibody(scene);
-  report(scene, run, late_of(scene, run.outcome, after), out, json);
+  report(scene, run, late_of(scene, run.outcome, after), output);
   warn(reports::correction_warnings(scene, run));
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     const Peak& farthest = run.joints[j].eccentricity;
     warn({reports::thin_film_warning(joint, joint.clearance - farthest.value, farthest.t),
+          reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, j, run)),
           reports::resolution_warning(scene, joint, reports::thinnest_film(scene, j, run)),
           reports::unseen_warning(scene, joint, run.outcome.integrator),
           reports::model_warning(joint, reports::visited_model_error(scene, j, run))});
@@ -80,17 +96,16 @@ int simulate(const Scene& scene, const std::optional<double>& after, const std::
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  struct Options : SceneOptions, LateOptions {
-    std::optional<std::string> out;
-    bool json = false;
-  };
+  struct Options : SceneOptions, LateOptions, Output {};
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("simulate", "Run one scene: trajectory as CSV, and a summary");
   options->add_file(*command);
   options->add_law(*command);
   options->add_run(*command);
   options->add_late(*command);
-  command->add_option("--out", options->out, "Folder for the trajectory, SCENE.csv");
+  CLI::Option* out = command->add_option("--out", options->folder, "Folder for the trajectory, SCENE.csv");
+  command->add_flag("--plot", options->plot, "Orbit, forces and film thickness as SVG and PNG beside the trajectory")
+      ->needs(out);
   command->add_flag("--json", options->json, "Summary as one JSON object");
   command->callback([options, &action] {
     action = [options] {
@@ -98,8 +113,11 @@ void add_simulate(CLI::App& app, Action& action) {
       const Scene scene = options->load();
       const std::optional<double> after = options->start(scene);
       if (is_free_journal(scene)) journal_scene(scene);  // refuses what it can before a folder is made
-      if (options->out) reports::prepare_folder(*options->out);
-      return simulate(scene, after, options->out, options->json);
+      if (options->plot && scene.joints.empty()) {
+        throw std::invalid_argument("--plot draws joints, and the scene has none; allowed is a scene with [[joints]]");
+      }
+      if (options->folder) reports::prepare_folder(*options->folder);
+      return simulate(scene, after, *options);
     };
   });
 }

@@ -70,13 +70,16 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
   std::string text = fmt::format("least wrong for this bearing: {}, median {}", best->law, error_words(best->median));
   const LoadedState* rest = find_state(loaded, best->law);
   const LoadedState* real = find_state(loaded, name_of(truth));
-  if (rest != nullptr && real != nullptr) {
+  const LoadedState* pinned = find_state(loaded, std::string(name_of(truth)) + ", onset at the maximum film");
+  if (rest != nullptr && real != nullptr && pinned != nullptr) {
     const double c = bearing.clearance();
     text += fmt::format(
-        "; rests at e/c {:.3f} instead of {:.3f} (Swift-Stieber, free onset); least film {:.3g} um instead of "
-        "{:.3g}",
-        rest->eccentricity_ratio, real->eccentricity_ratio, 1e6 * c * (1 - rest->eccentricity_ratio),
-        1e6 * c * (1 - real->eccentricity_ratio));
+        "; rests at e/c {:.3f} instead of {:.3f} (Swift-Stieber, free onset; {:.3f} with the onset at the maximum "
+        "film); "
+        "least film {:.3g} um instead of {:.3g} ({:.3g})",
+        rest->eccentricity_ratio, real->eccentricity_ratio, pinned->eccentricity_ratio,
+        1e6 * c * (1 - rest->eccentricity_ratio), 1e6 * c * (1 - real->eccentricity_ratio),
+        1e6 * c * (1 - pinned->eccentricity_ratio));
   }
   return text + ".\n\n";
 }
@@ -86,11 +89,11 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
 std::string model_warning(const SceneJoint& joint, const VisitedModelError& error) {
   if (error.states == 0 || error.median <= 0.25) return {};
   return fmt::format(
-      "warning: at the states that this run visits, law {} of joint \"{}\" is {:.0f} % off the force of a film of the "
-      "bearing's real length, L/D = {:.2f} (median of {} states; largest {:.0f} %, at eccentricity ratio {:.3f}). "
+      "warning: at the states that this run visits, law {} of joint \"{}\" is off the force of a film of the "
+      "bearing's real length, L/D = {:.2f}, by {} (median of {} states; largest {}, at eccentricity ratio {:.3f}). "
       "lubjoint model-error says more.",
-      joint.film, joint.name, 100 * error.median, joint.length / (2 * joint.journal_radius), error.states,
-      100 * error.largest, error.eccentricity_ratio_of_largest);
+      joint.film, joint.name, joint.length / (2 * joint.journal_radius), error_words(error.median), error.states,
+      error_words(error.largest), error.eccentricity_ratio_of_largest);
 }
 
 std::string model_warning(const std::vector<SceneJoint>& joints, const std::vector<VisitedModelError>& errors) {

@@ -34,10 +34,11 @@ std::string checks_table(const std::string& caption, const std::vector<const Ver
     add(line.passed, "passed");
     add(line.not_checked, "not checked");
     const bool checked = line.passed + line.failed > 0;
-    table.row({line.letter, line.what, checked ? line.against : "–", line.largest, line.allowed, line.reason,
+    table.row({line.letter, line.what, checked ? with_powers(line.against) : "–", with_powers(line.largest),
+               with_powers(line.allowed), with_powers(line.reason),
                checked ? verdict_cell(line.failed == 0, outcome) : Cell("–")});
   }
-  return table.html();
+  return table.as_cards().html();
 }
 
 std::string checked_words(const std::vector<const Verdict*>& verdicts, const std::vector<std::string>& whats) {
@@ -52,8 +53,10 @@ std::string checked_words(const std::vector<const Verdict*>& verdicts, const std
       continue;
     }
     good = good && line->failed == 0;
-    words += fmt::format("{}{} against {}, at most {} (allowed {})", words.empty() ? "" : "; ", what, line->against,
-                         line->largest, line->allowed);
+    words += fmt::format("{}{} against {}", words.empty() ? "" : "; ", what, with_powers(line->against));
+    if (line->largest != "–") {  // words were compared
+      words += fmt::format(", at most {} (allowed {})", with_powers(line->largest), with_powers(line->allowed));
+    }
   }
   return fmt::format("<p class=\"{}\"><span class=\"who\">Checked:</span> {}. {}</p>\n",
                      good ? "checked" : "checked bad", escaped(words), good ? "✓" : "✗");

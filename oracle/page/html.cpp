@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <stdexcept>
 
 #include "oracle/page/resources.hpp"
@@ -43,6 +44,18 @@ std::string with_minus(std::string number) {
   return number;
 }
 
+namespace {
+
+/// "10⁻⁸"
+std::string power_of_ten(int exponent) {
+  constexpr const char* superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = "10";
+  for (const char c : fmt::format("{}", exponent)) text += c == '-' ? "⁻" : superscripts[c - '0'];
+  return text;
+}
+
+}  // namespace
+
 std::string scientific(double value, int digits) {
   if (value == 0) return "0";
   if (std::abs(value) >= 0.01 && std::abs(value) < 1000) {
@@ -52,11 +65,18 @@ std::string scientific(double value, int digits) {
   if (!std::isfinite(value)) return "not a number";
   const std::string plain = fmt::format("{:.{}e}", value, digits);
   const std::size_t e = plain.find('e');
-  constexpr const char* superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = plain.substr(0, e) + " × 10";
-  const std::string exponent = fmt::format("{}", std::stoi(plain.substr(e + 1)));
-  for (const char c : exponent) text += c == '-' ? "⁻" : superscripts[c - '0'];
-  return with_minus(text);
+  return with_minus(plain.substr(0, e) + " × " + power_of_ten(std::stoi(plain.substr(e + 1))));
+}
+
+std::string with_powers(const std::string& words) {
+  static const std::regex power("(\\b[0-9]+(?:\\.[0-9]+)?)e([+-]?[0-9]+)\\b");
+  std::string text;
+  auto rest = words.cbegin();
+  for (std::smatch match; std::regex_search(rest, words.cend(), match, power); rest = match.suffix().first) {
+    text.append(rest, match[0].first);
+    text += (match[1] == "1" ? std::string() : match[1].str() + " × ") + power_of_ten(std::stoi(match[2]));
+  }
+  return text.append(rest, words.cend());
 }
 
 std::string percent(double share) {
@@ -102,9 +122,9 @@ void Table::row(std::vector<Cell> cells) {
 
 std::string Table::html() const {
   std::string html = fmt::format(
-      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n<table>\n<caption>{0}</caption>\n"
+      "<div class=\"scroll{1}\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n<table>\n<caption>{0}</caption>\n"
       "<thead><tr>",
-      escaped(caption_));
+      escaped(caption_), cards_ ? " cards" : "");
   for (const Column& column : columns_) {
     const std::string unit =
         column.unit.empty() ? std::string() : " <span class=\"unit\">[" + escaped(column.unit) + "]</span>";
@@ -119,7 +139,8 @@ std::string Table::html() const {
       if (columns_[i].number) look += look.empty() ? "number" : " number";
       if (!look.empty()) look = " class=\"" + escaped(look) + "\"";
       html += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", look, escaped(row[i].text))
-                     : fmt::format("<td{}>{}</td>", look,
+                     : fmt::format("<td{}{}>{}</td>", look,
+                                   cards_ ? fmt::format(" data-head=\"{}\"", escaped(columns_[i].head)) : "",
                                    escaped(columns_[i].number ? with_minus(row[i].text) : row[i].text));
     }
     html += "</tr>\n";

@@ -17,6 +17,9 @@ std::string with_minus(std::string number);
 /// A number as people write it: "1.2 × 10⁻⁸", "0.26", "0".
 std::string scientific(double value, int digits = 1);
 
+/// Words with their "1e-08" as "10⁻⁸" and their "2.0e-10" as "2.0 × 10⁻¹⁰".
+std::string with_powers(const std::string& words);
+
 /// A share as a percentage without more digits than it deserves: "0.3 %", "38 %"; from 10 on as "72 times".
 std::string percent(double share);
 
@@ -51,12 +54,18 @@ class Table {
   Table(std::string caption, std::vector<Column> columns);
   /// @throws std::logic_error for another number of cells than of columns
   void row(std::vector<Cell> cells);
+  /// On a narrow screen each row is a card, with every cell under its heading: for tables of words.
+  Table& as_cards() {
+    cards_ = true;
+    return *this;
+  }
   std::string html() const;
 
  private:
   std::string caption_;
   std::vector<Column> columns_;
   std::vector<std::vector<Cell>> rows_;
+  bool cards_ = false;
 };
 
 /// JSON that a script of the page finds by the id, made safe inside of HTML.

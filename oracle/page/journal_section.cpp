@@ -132,6 +132,7 @@ Section journal_section(const Content& content) {
            {"clearance", fmt::format("{:g}", 1e3 * scene.joints.front().clearance)},
            {"load", fmt::format("{:.4f}", example.load)},
            {"duration", fmt::format("{:g}", scene.run.duration)},
+           {"tolerance", with_powers(fmt::format("{:.0e}", scene.run.relative_tolerance))},
            {"long_full_growth", growth(item_of(example, "long_full"))},
            {"short_full_growth", growth(item_of(example, "short_full"))},
            {"ps_decay", decay(spiral)},

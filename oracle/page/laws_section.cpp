@@ -41,12 +41,12 @@ Panel rounding_panel(const LawChecks& checks, const std::string& id, const std::
   }
   Plot plot;
   plot.width = 400;
-  plot.height = 320;
+  plot.height = 360;
   plot.script = std::string(plain_axes) +
                 "set logscale xy\nset xrange [1:1e-12] reverse\nset yrange [1e-17:1e-11<*]\nset format y '10^{%T}'\n"
                 "set xtics ('1' 1, '10^{-3}' 1e-3, '10^{-6}' 1e-6, '10^{-9}' 1e-9, '10^{-12}' 1e-12)\n"
-                "set mytics 1\nset xlabel '1 − ε [-]' offset 0,0.4\nset ylabel '|ΔF|/|F| [-]'\nset key top right\n"
-                "set lmargin 8\nset bmargin 3.2\nset rmargin 3\nset tmargin 0.8\n" +
+                "set mytics 1\nset xlabel '1 − ε [-]' offset 0,0.4\nset ylabel '|ΔF|/|F| [-]'\n"
+                "set key outside center top horizontal samplen 2\nset lmargin 8\nset bmargin 3.2\nset rmargin 3\n" +
                 blocks + curves + "\n";
   return {id, words, words + ": largest rounding error over the force against the distance from the wall, 1 − ε.",
           plot};

@@ -91,16 +91,17 @@ std::string visited_table(const Content& content) {
 }
 
 std::string summary_table(const std::vector<ModelErrorEntry>& map) {
-  Table table("Each law against films of finite length: |F_law − F|/|F| over all states", {{"film", {}, false},
-                                                                                           {"law", {}, false},
-                                                                                           {"median"},
-                                                                                           {"largest"},
-                                                                                           {"states within 5 %"},
-                                                                                           {"within 10 %"},
-                                                                                           {"within 25 %"},
-                                                                                           {"closing, within 25 %"},
-                                                                                           {"sliding, within 25 %"},
-                                                                                           {"opening, within 25 %"}});
+  Table table("Each law against films of finite length: |F_law − F|/|F| over the states of the grid below",
+              {{"film", {}, false},
+               {"law", {}, false},
+               {"median"},
+               {"largest"},
+               {"states within 5 %"},
+               {"within 10 %"},
+               {"within 25 %"},
+               {"closing, within 25 %"},
+               {"sliding, within 25 %"},
+               {"opening, within 25 %"}});
   const std::vector<ModelErrorSummary> summaries = summaries_of(map);
   // The least wrong assumption first: a film that ruptures where its pressure says.
   for (const oracle::FiniteFilm film :

@@ -16,7 +16,7 @@ const page = {
     return lines.map((fields) => Object.fromEntries(header.map((name, i) => [name, fields[i]])));
   },
 
-  /** A new element of a drawing, or of the page if the parent is none of a drawing's. */
+  /** A new element of a drawing, or of the page if the parent is in no drawing. */
   add(parent, name, attributes = {}, text = '') {
     const drawing = parent.namespaceURI === page.drawing || name === 'svg';
     const child = drawing ? document.createElementNS(page.drawing, name) : document.createElement(name);
@@ -38,6 +38,18 @@ for (const button of document.querySelectorAll('button[data-csv]')) {
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   });
+}
+
+// A table that is cut says so, as long as it is.
+const cuts = new ResizeObserver((entries) => setTimeout(() => {  // later: the hint changes the box's size itself
+  for (const {target} of entries) {
+    const box = target.closest('.scroll');
+    box.classList.toggle('cut', box.scrollWidth > box.clientWidth + 1);
+  }
+}));
+for (const box of document.querySelectorAll('.scroll')) {
+  cuts.observe(box);
+  cuts.observe(box.querySelector('table'));
 }
 
 // Paper has no summary to click on: everything folded is unfolded for printing.

@@ -24,7 +24,9 @@
     'M0,-6L1.8,-1.9L6,-1.9L2.7,1.1L3.8,5.5L0,3L-3.8,5.5L-2.7,1.1L-6,-1.9L-1.8,-1.9z', 'M-5,-3L0,-6L5,-3V3L0,6L-5,3z'];
   const look = (integrator) => {
     const i = integrators.indexOf(integrator);
-    return {d: shapes[i % shapes.length], style: `fill:var(--${colours[i % colours.length]})`};
+    // Lines have no mark between two points: those of a colour that is there already are broken.
+    const dashes = ['', '7 3', '2 3', '8 3 2 3'][Math.floor(i / colours.length) % 4];
+    return {d: shapes[i % shapes.length], style: `fill:var(--${colours[i % colours.length]})`, dashes};
   };
 
   const usable = (row) => row.status === 'finished' && row.error !== '' && Number.isFinite(+row.error);
@@ -37,7 +39,8 @@
     const box = page.add(label, 'input', {type: 'checkbox', value: integrator});
     box.checked = true;
     const sample = page.add(label, 'svg', {viewBox: '-8 -8 16 16', 'aria-hidden': 'true'});
-    page.add(sample, 'path', look(integrator));
+    const {d, style} = look(integrator);
+    page.add(sample, 'path', {d, style});
     label.append(integrator);
     box.addEventListener('change', () => {
       if (box.checked) hidden.delete(integrator);
@@ -121,8 +124,8 @@
       if (!own.length) continue;
       const group = page.add(svg, 'g', {'data-integrator': integrator});
       const places = own.map((row) => [atX(1e3 * row.seconds), atY(+row.error)]);
-      const {d, style} = look(integrator);
-      page.add(group, 'path', {d: 'M' + places.map((place) => place.join(',')).join('L'),
+      const {d, style, dashes} = look(integrator);
+      page.add(group, 'path', {d: 'M' + places.map((place) => place.join(',')).join('L'), 'stroke-dasharray': dashes,
         style: style.replace('fill', 'stroke') + ';fill:none;stroke-width:1.2'});
       own.forEach((row, i) => {
         const mark = page.add(group, 'path', {class: 'mark', d, style, transform: `translate(${places[i].join(' ')})`});

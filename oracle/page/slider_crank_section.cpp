@@ -79,9 +79,11 @@ class Drawer {
  public:
   explicit Drawer(const Example2& example) : example_(example) {}
 
-  Panel panel(const std::string& id, const std::string& letter, SliderCrankQuantity quantity,
-              const Parameters& set) const {
-    const Figure figure = slider_crank_figure(example_, quantity);
+  /// @param single  it stands alone, as wide as the text
+  Panel panel(const std::string& id, const std::string& letter, SliderCrankQuantity quantity, const Parameters& set,
+              bool single = false) const {
+    const bool is_orbit = quantity == SliderCrankQuantity::orbit;
+    const Figure figure = slider_crank_figure(example_, quantity, single ? 1.5 : 1);
     const std::size_t place = place_of(example_, set);
     const Example2Case& item = example_.cases[place];
     const std::string title =
@@ -90,8 +92,9 @@ class Drawer {
         " over two revolutions: largest force {:.0f} N, largest eccentricity ratio {:.4f}, least film "
         "{:.3g} µm.",
         item.run.joints[0].force.value, largest_ratio(item), least_film(item));
-    const int height = quantity == SliderCrankQuantity::orbit ? 400 : 300;
-    return {id, title, title + extremes, alone(figure, figure.panels[place], 400, height)};
+    const int width = single ? 720 : 400;
+    const int height = is_orbit ? (single ? 500 : 400) : (single ? 360 : 300);
+    return {id, title, title + extremes, alone(figure, figure.panels[place], width, height)};
   }
 
   /// A figure with panels (a) and (b) of one quantity.
@@ -106,28 +109,32 @@ class Drawer {
   const Example2& example_;
 };
 
-std::string table_of(const Example2& example) {
-  Table table("Both revolutions of each parameter set, and how far the checks are from it", {{"c, μ", {}, false},
-                                                                                             {"verdict", {}, false},
-                                                                                             {"largest ε", "–"},
-                                                                                             {"least film", "µm"},
-                                                                                             {"largest force", "N"},
-                                                                                             {"largest moment", "N·m"},
-                                                                                             {"least moment", "N·m"},
-                                                                                             {"second to first", "c"},
-                                                                                             {"multiplier", "–"},
-                                                                                             {"swapped", "–"}});
+std::string tables_of(const Example2& example) {
+  const Column set{"clearance, viscosity", {}, false};
+  Table extremes("Extremes of both revolutions, for each parameter set", {set,
+                                                                          {"verdict", {}, false},
+                                                                          {"largest ε", "–"},
+                                                                          {"least film", "µm"},
+                                                                          {"largest force", "N"},
+                                                                          {"largest moment", "N·m"},
+                                                                          {"least moment", "N·m"}});
+  Table changes("How much the two revolutions differ, and what it matters which body carries the bearing",
+                {set,
+                 {"change of e from the first revolution to the second", "c"},
+                 {"share of a deviation that a revolution leaves", "–"},
+                 {"change of ε with the bearing on the slider", "–"}});
   for (const Example2Case& item : example.cases) {
     const SceneJoint& joint = item.scene.joints[0];
     const DriverExtremes& moment = item.run.drivers[0];
-    table.row({fmt::format("{:g} mm, {:g} Pa·s", 1e3 * joint.clearance, joint.viscosity), agreement(item.verdict),
-               fmt::format("{:.6f}", largest_ratio(item)), fmt::format("{:.3f}", least_film(item)),
-               fmt::format("{:.2f}", item.run.joints[0].force.value), fmt::format("{:.3f}", moment.max_moment.value),
-               fmt::format("{:.3f}", moment.min_moment.value), scientific(item.repeat_difference),
-               scientific(item.orbit.multipliers.empty() ? 0 : std::abs(item.orbit.multipliers[0])),
-               scientific(item.swapped_ratio)});
+    const std::string name = fmt::format("{:g} mm, {:g} Pa·s", 1e3 * joint.clearance, joint.viscosity);
+    extremes.row({name, agreement(item.verdict), fmt::format("{:.6f}", largest_ratio(item)),
+                  fmt::format("{:.3f}", least_film(item)), fmt::format("{:.2f}", item.run.joints[0].force.value),
+                  fmt::format("{:.3f}", moment.max_moment.value), fmt::format("{:.3f}", moment.min_moment.value)});
+    changes.row({name, scientific(item.repeat_difference),
+                 scientific(item.orbit.multipliers.empty() ? 0 : std::abs(item.orbit.multipliers[0])),
+                 scientific(item.swapped_ratio)});
   }
-  return table.html();
+  return extremes.html() + changes.html();
 }
 
 }  // namespace
@@ -145,8 +152,8 @@ Section slider_crank_section(const Content& content) {
       {"distance", scientific(usual.orbit.distance)},
       {"figure_13", drawer.draw({drawer.panel("figure-13a", "(a) ", Quantity::force, base),
                                  drawer.panel("figure-13b", "(b) ", Quantity::moment, base)})},
-      {"figure_14", drawer.draw({drawer.panel("figure-14-orbit", "", Quantity::orbit, base)})},
-      {"figure_15", drawer.draw({drawer.panel("figure-15-orbit", "", Quantity::film, base)})},
+      {"figure_14", drawer.draw({drawer.panel("figure-14-orbit", "", Quantity::orbit, base, true)})},
+      {"figure_15", drawer.draw({drawer.panel("figure-15-orbit", "", Quantity::film, base, true)})},
       {"figure_16", drawer.pair(16, Quantity::force, wide, narrow)},
       {"figure_17", drawer.pair(17, Quantity::moment, wide, narrow)},
       {"figure_18", drawer.pair(18, Quantity::orbit, wide, narrow)},
@@ -157,7 +164,7 @@ Section slider_crank_section(const Content& content) {
                              drawer.panel("film-narrow", "", Quantity::film, narrow),
                              drawer.panel("film-thin-wide", "", Quantity::film, thin_wide),
                              drawer.panel("film-thin", "", Quantity::film, thin)})},
-      {"table", table_of(example)},
+      {"table", tables_of(example)},
       {"checks", checks_table("Example 2: what the letters of a verdict stand for", example.verdicts())},
       {"checks_csv", csv_block("csv-slider-crank-checks", "slider-crank-checks.csv", example_2_checks_csv(example))},
       {"csv", csv_block("csv-slider-crank", "slider-crank-summary.csv", example_2_csv(example))},

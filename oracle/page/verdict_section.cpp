@@ -25,7 +25,7 @@ double largest(const Items& items, const Value& value) {
 /// The largest difference that a check has found, with its unit.
 std::string difference_of(const std::vector<const Verdict*>& verdicts, const std::string& what) {
   for (const CheckSummary& line : summary_of_checks(verdicts)) {
-    if (line.what == what) return line.largest;
+    if (line.what == what) return with_powers(line.largest);
   }
   return "–";
 }
@@ -76,11 +76,11 @@ std::string model_note(const Content& content) {
   return fmt::format(
       "<div class=\"note\"><p>Right formulas are not yet the right film. At L/D = {:.2f} no closed form is close to a "
       "film of the bearing’s real length: under the load of example 1 the journal rests at ε = {} (short half film), "
-      "{} "
-      "(long half film, Pinkus–Sternlicht), but {} with the Reynolds equation solved around and along the bearing "
-      "(Swift–Stieber, free onset). See <a href=\"#model-error\">model error</a>.</p></div>\n",
-      content.model_error.length_to_diameter, ratio("short_half"), ratio("pinkus_sternlicht"),
-      ratio("finite_reynolds"));
+      "{} (long half film, Pinkus–Sternlicht), but {} with the Reynolds equation solved around and along the bearing "
+      "(Swift–Stieber, free onset; {} with the onset at the maximum film). See <a href=\"#model-error\">model "
+      "error</a>.</p></div>\n",
+      content.model_error.length_to_diameter, ratio("short_half"), ratio("pinkus_sternlicht"), ratio("finite_reynolds"),
+      ratio("finite_reynolds, onset at the maximum film"));
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ Section verdict_section(const Content& content) {
                        ? "✗ Everything that this run checked agrees, but some of the stored runs of stress are wrong: "
                          "see the table."
                        : "✗ Not everything agrees: see the table."},
-                  {"checks", table.html()},
+                  {"checks", table.as_cards().html()},
                   {"ideal", checks_table("Ideal joints: what the letters stand for", {&crank.ideal_verdict})},
                   {"model", model_note(content)}})};
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
@@ -136,13 +137,21 @@ Example1 run_example_1(const Scene& scene) {
 }
 
 std::string example_1_table(const Example1& example) {
-  std::string text = fmt::format(
-      "Example 1: journal under a constant load of {:.4f} N\n\n{:<18} {:<8} {:<8} {:>10} {:>9} {:>10} {:>9} {:>22} "
-      "{:>12} {:>12} {:>9}  {}\n",
-      example.load, "law", "paper", "found", "e/c rest", "attitude", "F_Y end", "max e/c", "eigenvalue", "rate near",
-      "from start", "after 3x", "agreement");
-  text += fmt::format("{:<18} {:<8} {:<8} {:>10} {:>9} {:>10} {:>9} {:>22} {:>12} {:>12} {:>9}\n", "", "", "", "[-]",
-                      "[deg]", "[N]", "[-]", "[1/s]", "[1/s]", "[1/s]", "[-]");
+  std::string text = fmt::format("Example 1: journal under a constant load of {:.4f} N\n\n", example.load);
+  const auto heading = [&text](const std::array<const char*, 11>& words, const char* last) {
+    constexpr std::array<int, 11> widths{-18, -8, -8, 10, 9, 10, 9, 22, 12, 12, 9};
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      text +=
+          widths[i] < 0 ? fmt::format("{:<{}} ", words[i], -widths[i]) : fmt::format("{:>{}} ", words[i], widths[i]);
+    }
+    text += fmt::format(" {}\n", last);
+  };
+  heading({"", "the", "", "", "", "", "", "leading", "rate near", "rate from", "distance"}, "agreement:");
+  heading(
+      {"", "paper", "", "e/c at", "attitude", "F_Y at", "largest", "eigenvalue", "the rest", "the start", "after 3"},
+      "checks that");
+  heading({"law", "says", "found", "rest [-]", "[deg]", "end [N]", "e/c [-]", "[1/s]", "[1/s]", "[1/s]", "runs [c]"},
+          "passed");
   const auto rate = [](const std::optional<MotionRate>& motion) {
     return motion ? fmt::format("{:+.4e}", motion->rate) : std::string("–");
   };
@@ -157,11 +166,13 @@ std::string example_1_table(const Example1& example) {
         item.verdict.in_letters());
   }
   text +=
-      "\npaper, found: does the journal come to rest or circle its equilibrium; the paper's words on figures 9 to 11.\n"
-      "attitude: from the load to e, positive with the spin. eigenvalue: the one of largest real part of the journal\n"
-      "on its film. rate near: growth of the distance, measured on a run from 1e-3 c off the equilibrium; from start:\n"
-      "on the scene's own run, mean over directions, where amplitude shows in it (not judged). after 3x: distance\n"
-      "from the equilibrium, in clearances, after three times the run (not judged).\n\n"
+      "\nDoes the journal come to rest or circle its equilibrium? The paper's words are those on figures 9 to 11.\n"
+      "Attitude: from the load to e, positive with the spin. Leading: of largest real part, of the journal on its "
+      "film.\n"
+      "Rate: growth of the distance from the equilibrium, measured on a run from 1e-3 c off it, and on the scene's "
+      "own\n"
+      "run from the start, where amplitude shows in it (mean over directions; not judged). Distance: from the\n"
+      "equilibrium after three times the run (not judged).\n\n"
       "agreement: a letter for each check that passed, a dash for each that was not made. The run is by Radau\n"
       "IIA(5), tolerance 1e-12; Fehlberg 7(8) shares its equations of motion and its search for peaks and events.\n" +
       check_legend(example.verdicts());

@@ -4,6 +4,7 @@
 
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_1.hpp"
+#include "oracle/plot/orbit.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 
@@ -28,18 +29,11 @@ const std::string line = "plot $data with lines lw 1.5 lc rgb '#0072b2' notitle"
 }  // namespace
 
 Figure journal_orbit_figure(const Example1& example) {
-  const std::string axes =
-      std::string(plain_axes) +
-      "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
-      "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n";
-  return figure_of(example, "Journal centre in the clearance circle, e/c (+: equilibrium)", axes,
-                   [](const Example1Law& item) {
-                     std::string script = "$data << EOD\n";
-                     for (const JournalSample& s : item.run.samples)
-                       script += fmt::format("{:.7g} {:.7g}\n", s.state[0], s.state[1]);
-                     script += fmt::format("EOD\nset label 1 at {},{} point pt 1 ps 1 lc rgb '#d55e00'\n",
-                                           item.rest.eccentricity.x(), item.rest.eccentricity.y());
-                     return script + line + ", cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle\n";
+  return figure_of(example, std::string("Journal centre, e/c (+: equilibrium; ") + orbit_words + ")",
+                   std::string(plain_axes) + orbit_axes, [](const Example1Law& item) {
+                     std::vector<PlotPoint> places;
+                     for (const JournalSample& s : item.run.samples) places.push_back({s.state[0], s.state[1]});
+                     return orbit_script(places, PlotPoint{item.rest.eccentricity.x(), item.rest.eccentricity.y()});
                    });
 }
 

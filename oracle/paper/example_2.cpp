@@ -165,30 +165,40 @@ Example2 run_example_2(const std::filesystem::path& scenes) {
 std::string example_2_table(const Example2& example) {
   std::string text = fmt::format(
       "Example 2: slider-crank with a lubricated gudgeon pin, pinkus_sternlicht\n\n"
-      "ideal joints: peak force {:.2f} N, driving moment +-{:.2f} N m; agreement: {}\n{}\n"
-      "{:>5} {:>6} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9}  {}\n"
-      "{:>5} {:>6} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9}\n",
+      "ideal joints: peak force {:.2f} N, driving moment +-{:.2f} N m; agreement: {}\n{}\n",
       example.ideal_force, example.ideal_moment, example.ideal_verdict.in_letters(),
-      check_legend({&example.ideal_verdict}), "c", "mu", "max e/c", "film", "force", "M max", "M min", "2nd-1st",
-      "multiplier", "swapped", "swapped", "orbit", "agreement", "[mm]", "[Pa s]", "[-]", "[um]", "[N]", "[N m]",
-      "[N m]", "[-]", "[-]", "[-]", "[N]", "[-]");
+      check_legend({&example.ideal_verdict}));
+  const auto heading = [&text](const std::array<const char*, 12>& words, const char* last) {
+    constexpr std::array<int, 12> widths{5, 7, 10, 8, 9, 9, 9, 10, 10, 12, 11, 9};
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i) line += fmt::format("{:>{}} ", words[i], widths[i]);
+    text += (*last ? line + " " + last : line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";
+  };
+  heading({"", "", "", "", "", "", "", "change of", "left of a", "change of e", "force with", "end off"}, "agreement:");
+  heading({"", "vis-", "largest", "least", "largest", "largest", "least", "e, turn 1", "deviation", "with bearing",
+           "bearing on", "periodic"},
+          "checks that");
+  heading(
+      {"c", "cosity", "e/c", "film", "force", "moment", "moment", "to 2", "each turn", "on slider", "slider", "orbit"},
+      "passed");
+  heading({"[mm]", "[Pa s]", "[-]", "[um]", "[N]", "[N m]", "[N m]", "[c]", "[-]", "[c]", "[N]", "[c]"}, "");
   for (const Example2Case& item : example.cases) {
     const SceneJoint& joint = item.scene.joints[0];
     const JointExtremes& peak = item.run.joints[0];
     const double film = joint.clearance - peak.eccentricity.value;
     text += fmt::format(
-        "{:>5} {:>6} {:>10.6f} {:>8.3f} {:>9.2f} {:>9.3f} {:>9.3f} {:>9.1e} {:>10.1e} {:>9.1e} {:>9.2f} {:>9.1e}  {}\n",
+        "{:>5} {:>7} {:>10.6f} {:>8.3f} {:>9.2f} {:>9.3f} {:>9.3f} {:>10.1e} {:>10.1e} {:>12.1e} {:>11.2f} {:>9.1e}  "
+        "{}\n",
         1e3 * joint.clearance, joint.viscosity, peak.eccentricity.value / joint.clearance, 1e6 * film, peak.force.value,
         item.run.drivers[0].max_moment.value, item.run.drivers[0].min_moment.value, item.repeat_difference,
         std::abs(item.orbit.multipliers[0]), item.swapped_ratio, item.swapped_force, item.orbit.distance,
         item.verdict.in_letters());
   }
   text +=
-      "\nfilm: the least over two revolutions; safe is 3 um (0.00015 mm per mm of diameter). 2nd-1st: largest |de|/c\n"
-      "of the second revolution to the first. multiplier: what is left of a deviation from the periodic orbit after\n"
-      "a revolution, in minimal coordinates (not judged). swapped: change of e/c, and the peak force, with the "
-      "bearing\n"
-      "on the slider. orbit: |de|/c of the last state to the periodic orbit (not judged).\n\n"
+      "\nExtremes are of both revolutions; a safe film is 3 um (0.00015 mm per mm of diameter). Changes of e are the\n"
+      "largest of a turn. Left of a deviation: from the periodic orbit, in minimal coordinates (not judged). Bearing "
+      "on\n"
+      "slider: with bearing and journal on each other's bodies. End: the last e of the run (not judged).\n\n"
       "agreement: a letter for each check that passed, a dash for each that was not made. Minimal coordinates: rod\n"
       "angle and slider position, in extended precision by Fehlberg 7(8); they share the force law alone.\n" +
       check_legend(example.verdicts());

@@ -44,7 +44,8 @@ std::string example_2_checks_csv(const Example2& example);
 enum class SliderCrankQuantity { force, moment, orbit, film };
 
 /// The paper's figures 13 to 21 by quantity: a panel a parameter set, in the order of the cases.
-Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity);
+/// @param aspect  width over height of an orbit's panel
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect = 1);
 
 /// Trajectories, the summary and the figures 13 to 21, into a folder. @returns the files written
 std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_2.hpp"
+#include "oracle/plot/orbit.hpp"
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
@@ -39,12 +40,22 @@ std::string block(const char* name, const std::vector<MultibodySample>& samples,
 }
 
 const std::string against_angle = "set xlabel 'crank angle φ [°]'\nset xrange [0:720]\nset xtics 90\n";
-const std::string lubricated = "$data with lines lw 1.5 lc rgb '#0072b2' ";
-const std::string reference = "with lines lw 1.2 dt 2 lc rgb '#d55e00' ";
+const std::string lubricated = "$data with lines lw 1.3 lc rgb '#0072b2' notitle";
+// Broad and below: seen where the film's curve lies on it, too.
+const std::string ideal_joint = "$ideal with lines lw 5 lc rgb '#e69f00' notitle";
+
+std::vector<PlotPoint> orbit_places(const Example2Case& item) {
+  const double c = item.scene.joints[0].clearance;
+  std::vector<PlotPoint> places;
+  for (const MultibodySample& s : item.run.samples) {
+    places.push_back({s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c});
+  }
+  return places;
+}
 
 }  // namespace
 
-Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity) {
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect) {
   if (example.cases.empty()) return {};
   const double speed = crank_speed_of(example.cases.front().scene);
   const auto mechanism = slider_crank_of(example.cases.front().scene);
@@ -58,34 +69,25 @@ Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity
   switch (quantity) {
     case SliderCrankQuantity::force:
       return figure_of(
-          example, "Force in the gudgeon pin (dashed: ideal joint)", against_angle + "set ylabel '|F| [kN]'\n",
+          example, "Force in the gudgeon pin (broad: ideal joint)", against_angle + "set ylabel '|F| [kN]'\n",
           [&](const Example2Case& item) {
             return ideal([&](const auto& s) { return closed(s).gudgeon_pin.norm() / 1e3; }) +
                    block("data", item.run.samples,
                          [&](const auto& s) { return std::pair(angle(s), s.joints[0].force.norm() / 1e3); }) +
-                   "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+                   "plot " + ideal_joint + ", " + lubricated + "\n";
           });
     case SliderCrankQuantity::moment:
-      return figure_of(example, "Driving moment on the crank (dashed: ideal joint)",
+      return figure_of(example, "Driving moment on the crank (broad: ideal joint)",
                        against_angle + "set ylabel 'M [N·m]'\n", [&](const Example2Case& item) {
                          return ideal([&](const auto& s) { return closed(s).driving_moment; }) +
                                 block("data", item.run.samples,
                                       [&](const auto& s) { return std::pair(angle(s), s.driving_moments[0]); }) +
-                                "plot " + lubricated + "notitle, $ideal " + reference + "notitle\n";
+                                "plot " + ideal_joint + ", " + lubricated + "\n";
                        });
     case SliderCrankQuantity::orbit:
       return figure_of(
-          example, "Journal centre in the clearance circle, e/c",
-          "set size ratio -1\nset xrange [-1.05:1.05]\nset yrange [-1.05:1.05]\nset xtics 0.5\nset ytics 0.5\n"
-          "set xlabel 'e_x/c [-]'\nset ylabel 'e_y/c [-]'\nset parametric\nset trange [0:2*pi]\nset samples 361\n",
-          [&](const Example2Case& item) {
-            const double c = item.scene.joints[0].clearance;
-            return block("data", item.run.samples,
-                         [&](const auto& s) {
-                           return std::pair(s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c);
-                         }) +
-                   "plot " + lubricated + "notitle, cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle\n";
-          });
+          example, std::string("Journal centre, e/c (") + orbit_words + ")", orbit_axes,
+          [&](const Example2Case& item) { return orbit_script(orbit_places(item), std::nullopt, aspect); });
     case SliderCrankQuantity::film:
       break;
   }
@@ -94,7 +96,7 @@ Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity
       against_angle + "set ylabel 'h_{min} [µm]'\nset logscale y\nset format y '%g'\n", [&](const Example2Case& item) {
         return block("data", item.run.samples,
                      [&](const auto& s) { return std::pair(angle(s), 1e6 * s.joints[0].film_thickness); }) +
-               "plot " + lubricated + "notitle, 3 " + reference + "notitle\n";
+               "plot " + lubricated + ", 3 with lines lw 1.2 dt 2 lc rgb '#d55e00' notitle\n";
       });
 }
 

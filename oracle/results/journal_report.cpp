@@ -13,6 +13,7 @@
 #include "oracle/results/motion_words.hpp"
 #include "oracle/results/outcome_words.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/squeeze_reynolds.hpp"
 
 namespace lubjoint::reports {
 
@@ -44,6 +45,9 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
                     {"min_film_over_safe", run.min_film_thickness / safe_film_thickness(joint)},
                     {"t_min_film_thickness", run.t_max_eccentricity_ratio},
                     {"motion", motion_json(motion_outcome(scene, run))},
+                    {"max_indentation", nullptr},
+                    {"rebound_ratio", nullptr},
+                    {"squeeze_reynolds_number", squeeze_json(squeeze_reynolds(scene, run))},
                     {"sliding", sliding}});
   nlohmann::ordered_json summary = outcome_json(scene.name, joint.film, run.outcome, run.wall_seconds);
   summary["joints"] = joints;
@@ -69,6 +73,7 @@ std::string summary_text(const Scene& scene, const JournalTrajectory& run) {
   text += extremes_text(run.max_eccentricity_ratio, run.min_film_thickness, run.t_max_eccentricity_ratio, run.max_force,
                         run.t_max_force);
   text += motion_text(motion_outcome(scene, run));
+  text += squeeze_reynolds_text(squeeze_reynolds(scene, run));
   for (const SlidingInterval& interval : run.sliding) text += slide_text(interval.start, interval.end);
   return text;
 }

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "oracle/results/outcome_words.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
@@ -153,7 +155,7 @@ void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, cons
                                      {"max_eccentricity_ratio", extremes.eccentricity.value / c},
                                      {"max_force", extremes.force.value},
                                      {"t_max_force", extremes.force.t},
-                                     {"min_film_thickness", c - extremes.eccentricity.value},
+                                     {"min_film_thickness", std::max(c - extremes.eccentricity.value, 0.0)},
                                      {"t_min_film_thickness", extremes.eccentricity.t}};
   }
   for (std::size_t d = 0; d < late.drivers.size(); ++d) {
@@ -172,9 +174,9 @@ std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
   for (std::size_t j = 0; j < late.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     const Peak& e = late.joints[j].eccentricity;
-    text += fmt::format("  {:<10} eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
-                        joint.name, e.value / joint.clearance, 1e6 * (joint.clearance - e.value), e.t,
-                        late.joints[j].force.value, late.joints[j].force.t);
+    text += fmt::format("  {:<10} {}\n", joint.name,
+                        extremes_words(e.value / joint.clearance, joint.clearance - e.value, e.t,
+                                       late.joints[j].force.value, late.joints[j].force.t));
   }
   std::size_t d = 0;
   for (const SceneConstraint& each : scene.constraints) {

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lubjoint/joint/rebound.hpp"
 #include "oracle/results/loss_columns.hpp"
 #include "oracle/results/motion_words.hpp"
 #include "oracle/results/outcome_words.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/squeeze_reynolds.hpp"
 
 namespace lubjoint::reports {
 
@@ -36,6 +39,15 @@ nlohmann::ordered_json slides_json(const MultibodyTrajectory& run, std::size_t j
   return sliding;
 }
 
+/// A value that only joints with contact have.
+nlohmann::ordered_json contact_json(const SceneJoint& joint, double value) {
+  return joint.contact ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json rebound_json(const SceneJoint& joint) {
+  return contact_json(joint, joint.contact ? rebound_ratio(joint.contact->restitution) : 0);
+}
+
 }  // namespace
 
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run) {
@@ -43,7 +55,8 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const double c = scene.joints[j].clearance;
     const JointSample& last = run.samples.back().joints[j];
-    const double thinnest = c - run.joints[j].eccentricity.value;
+    const double gap = c - run.joints[j].eccentricity.value;
+    const double thinnest = std::max(gap, 0.0);
     nlohmann::ordered_json over_safe = nullptr;  // a dry joint has no film
     if (scene.joints[j].film != no_film) over_safe = thinnest / safe_film_thickness(scene.joints[j]);
     joints.push_back({{"name", scene.joints[j].name},
@@ -59,6 +72,9 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                       {"min_film_thickness", thinnest},
                       {"min_film_over_safe", over_safe},
                       {"t_min_film_thickness", run.joints[j].eccentricity.t},
+                      {"max_indentation", contact_json(scene.joints[j], std::max(-gap, 0.0))},
+                      {"rebound_ratio", rebound_json(scene.joints[j])},
+                      {"squeeze_reynolds_number", squeeze_json(squeeze_reynolds(scene, j, run))},
                       {"sliding", slides_json(run, j)}});
     joints.back()["motion"] = motion_json(motion_outcome(scene, j, run));
     if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
@@ -113,6 +129,11 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
     text += extremes_text(extremes.eccentricity.value / c, c - extremes.eccentricity.value, extremes.eccentricity.t,
                           extremes.force.value, extremes.force.t);
     text += motion_text(motion_outcome(scene, j, run));
+    text += squeeze_reynolds_text(squeeze_reynolds(scene, j, run));
+    if (const auto& contact = scene.joints[j].contact) {
+      text += fmt::format("  contact    restitution {:g}: a free impact gives back {:.4f} of its speed\n",
+                          contact->restitution, rebound_ratio(contact->restitution));
+    }
     if (scene.joints[j].shear) text += loss_text(last.losses);
     for (const JointSlide& slide : run.slides) {
       if (slide.joint == j) text += slide_text(slide.start, slide.end);

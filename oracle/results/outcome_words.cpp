@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace lubjoint::reports {
@@ -40,10 +41,13 @@ std::string slide_text(double start, double end) {
   return fmt::format("  sliding    on the half film's jump from {:.6g} s to {:.6g} s\n", start, end);
 }
 
-std::string extremes_text(double eccentricity_ratio, double film, double t_film, double force, double t_force) {
-  return fmt::format(
-      "  extremes   eccentricity ratio {:.6f} (film {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s\n",
-      eccentricity_ratio, 1e6 * film, t_film, force, t_force);
+std::string extremes_words(double eccentricity_ratio, double gap, double t_gap, double force, double t_force) {
+  return fmt::format("eccentricity ratio {:.6f} ({} {:.4g} um) at {:.6g} s, force {:.6g} N at {:.6g} s",
+                     eccentricity_ratio, gap < 0 ? "indentation" : "film", 1e6 * std::abs(gap), t_gap, force, t_force);
+}
+
+std::string extremes_text(double eccentricity_ratio, double gap, double t_gap, double force, double t_force) {
+  return "  extremes   " + extremes_words(eccentricity_ratio, gap, t_gap, force, t_force) + "\n";
 }
 
 }  // namespace lubjoint::reports

@@ -20,7 +20,11 @@ std::string outcome_text(const std::string& scene, const std::string& law, const
 /// A line that says from when to when a joint's half film slid on its jump [s].
 std::string slide_text(double start, double end);
 
-/// The line of a joint's extremes: largest ε with the film there [m] and when, largest force [N] and when [s].
-std::string extremes_text(double eccentricity_ratio, double film, double t_film, double force, double t_force);
+/// A joint's extremes: largest ε with the film there, or the indentation, and when, largest force [N] and when [s].
+/// @param gap  c − |e| [m]; below 0 it is an indentation, and there is no film
+std::string extremes_words(double eccentricity_ratio, double gap, double t_gap, double force, double t_force);
+
+/// The line of a summary that says so.
+std::string extremes_text(double eccentricity_ratio, double gap, double t_gap, double force, double t_force);
 
 }  // namespace lubjoint::reports

@@ -41,6 +41,7 @@ void require_joint(const SceneJoint& joint, const Scene& scene) {
   if (joint.film != no_film) {
     require_positive(joint.viscosity, "viscosity");
     require_positive(joint.length, "length");
+    if (joint.density) require_positive(*joint.density, "density");
   } else {
     require(joint.contact.has_value(), "a dry joint has contact");
   }
@@ -58,6 +59,7 @@ void require_joint(const SceneJoint& joint, const Scene& scene) {
     require(std::abs(c.bearing_poisson) <= 1 && std::abs(c.journal_poisson) <= 1, "Poisson's ratio is in (-1, 0.5]");
     require(c.restitution >= 0 && c.restitution <= 1, "restitution is in [0, 1]");
     require_finite(c.friction, "friction");
+    if (c.form == ContactForm::cylinder) require_positive(joint.length, "length of a cylinder in contact");
   }
 }
 

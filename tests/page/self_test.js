@@ -72,6 +72,31 @@
       `wider than the window: ${wide.slice(0, 3).map((node) => node.outerHTML.slice(0, 60)).join(' and ')}`);
   }
 
+  async function tables() {
+    for (const details of document.querySelectorAll('details')) details.open = true;
+    await wait(200);  // the hints follow the boxes' sizes
+    const narrow = innerWidth < 640;
+    for (const box of document.querySelectorAll('.scroll')) {
+      const name = box.getAttribute('aria-label');
+      const cut = box.scrollWidth > box.clientWidth + 1;
+      const hint = getComputedStyle(box, '::before').content;
+      check(box.classList.contains('cut') === cut && /goes on/.test(hint) === cut, `${name}: the hint is wrong`);
+      if (innerWidth >= 1280 || box.classList.contains('cards')) check(!cut, `${name}: the table is cut`);
+    }
+    const cards = [...document.querySelectorAll('.cards tbody tr')];
+    check(cards.length > 30, `only ${cards.length} rows of words`);
+    for (const row of cards) {
+      check((getComputedStyle(row).display === 'block') === narrow, 'a row is no card on a phone, or one elsewhere');
+      const cell = row.querySelector('td');
+      const head = getComputedStyle(cell, '::before').content;
+      check(narrow ? head.includes(cell.dataset.head) : head === 'none', `a card's cell says ${head}`);
+    }
+    for (const panel of document.querySelectorAll('.panel:only-child')) {
+      const text = panel.closest('article').querySelector('.words').getBoundingClientRect().width;
+      check(Math.abs(panel.getBoundingClientRect().width - text) < 2, `${panel.id} is not as wide as the text`);
+    }
+  }
+
   function saving() {
     // A blob is read in another thread, which virtual time does not wait for: keep what it is made of.
     const made = [];
@@ -124,6 +149,9 @@
     }
     const looks = marks().map((mark) => mark.parentElement.dataset.integrator + mark.getAttribute('d') + mark.getAttribute('style'));
     check(new Set(looks).size === boxes.length, 'two integrators look the same');
+    const strokes = [...svg.querySelectorAll('[data-integrator] > path:not(.mark)')].map((line) =>
+      line.getAttribute('style') + line.getAttribute('stroke-dasharray'));
+    check(new Set(strokes).size === boxes.length, 'two integrators have the same line');
 
     check(/run time t \[ms\]/.test(labels()) && /\[-\]/.test(labels()), 'an axis has no unit');
     check(/10⁻/.test(labels()), 'the logarithmic axes have no powers of ten');
@@ -240,7 +268,7 @@
     check(!document.querySelector('details[open]'), 'something stays unfolded after printing');
   }
 
-  for (const part of [drawings, saving, runTimes, stability, motion, printing]) {
+  for (const part of [drawings, tables, saving, runTimes, stability, motion, printing]) {
     try {
       await part();
     } catch (error) {

@@ -30,7 +30,11 @@ Trajectory read_trajectory(std::string_view csv, const std::string& name, const 
     for (const std::string& column : table.columns()) {
       if (column == "t") continue;
       if (known == nullptr || known->has(column)) {
-        trajectory.columns[column] = numbers(table, column);
+        std::vector<double> values = numbers(table, column);
+        if (column.ends_with(".film_thickness")) {  // c − |e| of a program that counts on into contact: no film
+          for (double& value : values) value = std::max(value, 0.0);
+        }
+        trajectory.columns[column] = std::move(values);
       } else {
         trajectory.not_read.push_back(column);
       }

@@ -19,8 +19,8 @@ struct Unchecked {};
 
 /// State of the film in any inertial frame.
 ///   ê = e/c, the eccentricity in clearances [-];
-///   u = (v − ½(ω_J + ω_B) e⊥)/c, the pure-squeeze velocity [1/s]: in the frame that turns with the mean spin only
-///   squeeze is left;
+///   u = (v − ½(ω_J + ω_B) e⊥)/c, the pure-squeeze velocity [1/s] (Booker 1965; Childs, Moes and van Leeuwen 1977): in
+///   the frame that turns with the mean spin only squeeze is left;
 ///   q = 1 − ê·ê.
 template <class T>
 struct FilmState {

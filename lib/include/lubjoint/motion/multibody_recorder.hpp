@@ -37,7 +37,7 @@ JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& forc
 template <class R>
 class PeakTracker {
  public:
-  /// @param confirm  the value by the method itself: in a thin film an interpolant can show a peak that is none
+  /// @param confirm  the value by the method itself: in a thin film an interpolant can show a peak that is not there
   template <class Confirm>
   void consider(double value, const R& t, const std::shared_ptr<const MultibodyStep<R>>& step, const Confirm& confirm) {
     if (at_step_end_ && step != step_) {

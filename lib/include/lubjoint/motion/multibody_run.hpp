@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "lubjoint/motion/multibody_pieces.hpp"
 #include "lubjoint/motion/multibody_recorder.hpp"
 #include "lubjoint/motion/multibody_stops.hpp"
+#include "lubjoint/motion/singular_watch.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/run/event_run.hpp"
 
@@ -29,7 +31,8 @@ class MultibodyRun {
         method_(std::move(method)),
         pieces_(ode, upkeep, R(settings.absolute_tolerance)),
         engine_(pieces_, *method_, settings_, outcome_),
-        recorder_(ode, settings, method_->looks_inside()) {}
+        recorder_(ode, settings, method_->looks_inside()),
+        watch_(ode, settings.relative_tolerance) {}
 
   /// The parts of a run refer to each other.
   MultibodyRun(const MultibodyRun&) = delete;
@@ -43,7 +46,8 @@ class MultibodyRun {
     R dt(1e-6 * settings_.duration);
     pieces_.start(t_, y_);
     recorder_.start(t_, y_);
-    const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
+    watch_.start(t_, y_);
+    RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
       step->memory = ode_.memory();
@@ -56,8 +60,11 @@ class MultibodyRun {
         leaves_film_ = true;
         return false;
       }
-      return unresolved_contact().empty();
+      singular_ = watch_.step(step, by_method());
+      return !singular_ && unresolved_contact().empty();
     });
+    if (result.end == RunEnd::duration_reached && (singular_ = watch_.finish(by_method())))
+      result.end = RunEnd::refused;
     if (result.end != RunEnd::duration_reached) stop(result);
     pieces_.finish(t_);
     recorder_.finish(t_, y_, by_method());
@@ -98,25 +105,34 @@ class MultibodyRun {
     outcome_.message = "stopped at t = " + detail::number(static_cast<double>(t_)) + " s: " + reason(result);
   }
 
+  /// "joint "pin" is at eccentricity ratio 0.99; "
+  std::string nearest() { return detail::nearest_joint(ode_, t_, y_).words; }
+
   std::string reason(const RunResult& result) {
     const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name + "\""; };
     const bool touches = pieces_.is_of_contact(result.margin);
+    if (singular_) {
+      return "the mechanism passed, at " + detail::number(singular_->t) + " s, " + watch_.words(*singular_);
+    }
+    if (const auto here = watch_.at(t_, y_)) return "the mechanism is at " + watch_.words(*here);
     switch (result.end) {
       case RunEnd::step_limit:
         return detail::step_limit_reason(ode_, t_, y_, settings_.max_steps, is_implicit());
       case RunEnd::stalled:
-        return detail::stall_reason();
+        return detail::stall_reason(ode_, t_, y_, is_implicit());
       case RunEnd::refused:
         if (leaves_film_)
-          return "a journal passes its wall inside a step whose ends are in the film; use a tighter tolerance";
+          return nearest() +
+                 "a journal passes its wall inside a step whose ends are in the film; use a tighter tolerance";
         return unresolved_contact();
       case RunEnd::not_located:
-        return (touches ? "a contact of " : "a change of the film's side of ") + joint() + " can't be located";
+        return nearest() + (touches ? "a contact of " : "a change of the film's side of ") + joint() +
+               " can't be located; use a tighter tolerance";
       case RunEnd::stuck:
-        return joint() + (touches
-                              ? " can't leave a seam of its contact"
-                              : " can't leave the jump of its half film at a = 0; use a law without a jump, such as "
-                                "a dynamic one");
+        return nearest() + joint() +
+               (touches ? " can't leave a seam of its contact"
+                        : " can't leave the jump of its half film at a = 0; use a law without a jump, such as "
+                          "a dynamic one");
       default:
         return detail::no_step_reason(ode_, t_, y_);
     }
@@ -129,6 +145,8 @@ class MultibodyRun {
   MultibodyPieces<R> pieces_;
   EventRun<MultibodyPieces<R>> engine_;
   MultibodyRecorder<R> recorder_;
+  SingularWatch<R> watch_;
+  std::optional<SingularPosition> singular_;  ///< that the run passed
   bool leaves_film_ = false;
   State y_;
   R t_{};

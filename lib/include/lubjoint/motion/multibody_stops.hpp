@@ -66,7 +66,12 @@ std::string step_limit_reason(MultibodyOde<R>& ode, const R& t, const std::vecto
   return nearest.words + step_limit_words(limit, implicit, nearest.gap);
 }
 
-inline std::string stall_reason() { return stall_words() + "use radau_iia5, or a looser tolerance"; }
+/// @param implicit  was it an implicit integrator?
+template <class R>
+std::string stall_reason(MultibodyOde<R>& ode, const R& t, const std::vector<R>& y, bool implicit) {
+  const NearestJoint nearest = nearest_joint(ode, t, y);
+  return nearest.words + stall_words() + remedy_words(implicit, nearest.gap);
+}
 
 template <class R>
 std::string no_step_reason(MultibodyOde<R>& ode, const R& t, const std::vector<R>& y) {

@@ -41,17 +41,21 @@ inline std::string step_limit_reached(std::size_t limit) {
   return "the limit of " + std::to_string(limit) + " steps is reached: ";
 }
 
-/// The limit, and what would need fewer steps.
+/// What would need fewer steps.
 /// @param implicit  was it an implicit integrator?
 /// @param gap  1 − |ê| where the run stopped; 0 or less, or 1: no film that its steps could have gone into
-inline std::string step_limit_words(std::size_t limit, bool implicit, double gap) {
+inline std::string remedy_words(bool implicit, double gap) {
   constexpr double thin = 1e-6;  // a film no bearing has: the steps go into following it
-  const std::string reached = step_limit_reached(limit);
-  if (!implicit) return reached + "radau_iia5 needs far fewer where the film is stiff";
+  if (!implicit) return "radau_iia5 needs far fewer where the film is stiff";
   if (gap > 0 && gap < thin) {
-    return reached + "a film as thin as this takes them; raise the viscosity or lower the load or the clearance";
+    return "a film as thin as this takes them; raise the viscosity or lower the load or the clearance";
   }
-  return reached + "a looser relative_tolerance needs fewer";
+  return "a looser relative_tolerance needs fewer";
+}
+
+/// The limit, and what would need fewer steps.
+inline std::string step_limit_words(std::size_t limit, bool implicit, double gap) {
+  return step_limit_reached(limit) + remedy_words(implicit, gap);
 }
 
 /// Of a run that gets nowhere.

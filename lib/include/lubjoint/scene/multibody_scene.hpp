@@ -48,7 +48,7 @@ PlanarSystem<R> planar_system(const Scene& scene) {
   }
   std::vector<JointElement<R>> joints;
   for (const SceneJoint& each : scene.joints) {
-    // A dry joint's length enters nothing.
+    // A dry joint's length enters a cylindrical contact alone, and is then given.
     const R length = each.length > 0 ? R(each.length) : R(each.journal_radius);
     const Bearing<R> bearing(length, R(each.journal_radius), R(each.clearance));
     JointElement<R> joint{each.name, each.bearing.cast<R>(), each.journal.cast<R>(),
@@ -62,11 +62,14 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     }
     if (each.contact) {
       const SceneContact& c = *each.contact;
+      const Elasticity<R> of_bearing{R(c.bearing_modulus), R(c.bearing_poisson)};
+      const Elasticity<R> of_journal{R(c.journal_modulus), R(c.journal_poisson)};
       const R stiffness =
-          contact_stiffness<R>(bearing.radius(), bearing.clearance(), {R(c.bearing_modulus), R(c.bearing_poisson)},
-                               {R(c.journal_modulus), R(c.journal_poisson)});
+          c.form == ContactForm::cylinder
+              ? cylinder_contact_stiffness<R>(bearing.length(), bearing.clearance(), of_bearing, of_journal)
+              : contact_stiffness<R>(bearing.radius(), bearing.clearance(), of_bearing, of_journal);
       joint.contact = JointContact<R>{
-          {stiffness, R(c.restitution), R(c.friction), R(c.slow_sliding)}, std::nullopt, R(c.min_impact_speed)};
+          {stiffness, R(c.restitution), R(c.friction), R(c.slow_sliding), c.form}, std::nullopt, R(c.min_impact_speed)};
       if (each.transition) {
         joint.contact->transition = TransitionTolerances<R>(R(each.transition->e0), R(each.transition->e1));
       }

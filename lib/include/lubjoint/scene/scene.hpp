@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lubjoint/film/shear_extent.hpp"
+#include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/multibody/constraint.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "lubjoint/run/outcome.hpp"
@@ -43,14 +44,15 @@ struct SceneTransition {
 
 /// Dry contact of journal and bearing.
 struct SceneContact {
-  double bearing_modulus = 0;   ///< Young's [Pa]
-  double bearing_poisson = 0;   ///< Poisson's ratio
-  double journal_modulus = 0;   ///< Young's [Pa]
-  double journal_poisson = 0;   ///< Poisson's ratio
-  double restitution = 0;       ///< c_r, from 0 to 1
-  double min_impact_speed = 0;  ///< least δ̇₀ [m/s]
-  double friction = 0;          ///< Coulomb's coefficient
-  double slow_sliding = 1e-3;   ///< sliding speed below which friction fades [m/s]
+  double bearing_modulus = 0;             ///< Young's [Pa]
+  double bearing_poisson = 0;             ///< Poisson's ratio
+  double journal_modulus = 0;             ///< Young's [Pa]
+  double journal_poisson = 0;             ///< Poisson's ratio
+  double restitution = 0;                 ///< c_r, from 0 to 1
+  double min_impact_speed = 0;            ///< least δ̇₀ [m/s]
+  double friction = 0;                    ///< Coulomb's coefficient
+  double slow_sliding = 1e-3;             ///< sliding speed below which friction fades [m/s]
+  ContactForm form = ContactForm::point;  ///< of the elastic force
 };
 
 /// In place of a law's name: a dry joint.
@@ -70,6 +72,7 @@ struct SceneJoint {
   std::optional<SceneTransition> transition;  ///< none: film alone, or contact alone
   std::optional<SceneContact> contact;        ///< none: the run stops at ε = 1
   std::optional<ShearExtent> shear;           ///< none: no friction torque
+  std::optional<double> density;              ///< ρ of the oil [kg/m³], for its Reynolds number alone
 };
 
 /// A constraint of any kind, in double precision.
