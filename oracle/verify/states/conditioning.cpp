@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 
 namespace lubjoint::verify {
 
@@ -91,7 +91,7 @@ Answer input_conditioning(const State& state, const Solution& s) {
   const bool of_film =
       s.quantities == Quantities::cartesian || s.quantities == Quantities::polar || s.quantities == Quantities::wrench;
   if (!of_film) return by_differences(state, s);
-  const double force = with_film_law(name_of(s.law), [&]<class FilmLaw>() {
+  const double force = with_film_law<StateFilmLaws>(name_of(s.law), [&]<class FilmLaw>() {
     return is_polar(s.quantities) ? polar_conditioning<FilmLaw>(s) : plane_conditioning<FilmLaw>(s);
   });
   Answer result{force, force, 0, 0};
