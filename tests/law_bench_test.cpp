@@ -25,7 +25,8 @@ TEST_CASE("bench laws: every law has all its methods, with the errors of their p
     for (const char* column : {"nanoseconds", "over_bound", "over_batch"}) CHECK(std::stod(row.at(column)) > 0);
     const double median = std::stod(row.at("median_error"));
     const double largest = std::stod(row.at("largest_error"));
-    CHECK(std::stoi(row.at("states")) >= (method == "finite_length" ? 4 : 50));
+    const bool squeeze_only = row.at("law").starts_with("squeeze");  // a quarter of the states has none
+    CHECK(std::stoi(row.at("states")) >= (method == "finite_length" ? 4 : squeeze_only ? 37 : 50));
     if (method == "scalar" || method == "batch") {
       CHECK((median > 1e-17 && median < 0x1p-52));  // rounding of a dozen operations, some against each other
       CHECK(largest < 1e-13);                       // the same where terms cancel
