@@ -114,7 +114,7 @@ TEST_CASE("massless scene: what makes no sense without mass is refused by name")
     CHECK_THROWS_WITH(parse_scene(text, "massless.toml"), Contains(word) && Contains(other));
   };
   refused(text_of("-1", "short_dynamic"), "bodies[0].mass", "-1");
-  refused(text_of("0", "short_dynamic", {{"bodies[0].spin", "50"}}), "bodies[0].spin", "held");
+  refused(text_of("0", "short_dynamic", {{"bodies[0].spin", "50"}}), "bodies[0].mass is 0", "held");
   refused(text_of("0", "short_dynamic", {{"bodies[0].velocity", "[0.1, 0]"}}), "bodies[0].velocity", "the load");
   refused(text_of("0", "short_dynamic") + "\nenergy_ledger = true\n", "mass 0", "ledger");
   refused(text_of("0", "short_dynamic", {{"joints[0].journal.point", "[1e-3, 0]"}, {"bodies[0].position", "[-1e-3, 0]"}}), "mass 0", "off the centres");

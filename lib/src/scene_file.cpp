@@ -51,7 +51,8 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
     body.spin = table.number_or("spin", 0, Allowed::any, "rad/s");
   }
   if (body.mass == 0 && !body.spin_is_held) {
-    table.refuse("spin", "not held, of a body without mass", "a spin that is held: spin = {held = NUMBER}");
+    table.refuse("mass", "0 kg for a body whose spin is not held",
+                 "a number above 0 [kg], or 0 with spin = {held = NUMBER}: a journal whose film carries the load");
   }
   if (body.mass == 0 && !is_zero(body.velocity)) {
     table.refuse("velocity", "given for a body without mass", "none: the load on its film says how it moves");
