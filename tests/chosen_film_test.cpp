@@ -79,8 +79,8 @@ TEST_CASE("chosen film: a law that there is not, and a bearing a law is not made
 }
 
 TEST_CASE("scenes: laws of the squeeze alone and of finite length run, by both engines alike") {
-  for (const std::string law : {"squeeze_long_full", "squeeze_short_full", "squeeze_long", "squeeze_short",
-                                "moes_impedance", "butenschoen"}) {
+  for (const std::string law :
+       {"squeeze_long_full", "squeeze_short_full", "squeeze_long", "squeeze_short", "moes_impedance", "butenschoen"}) {
     INFO(law);
     Scene scene = squat_scene(law);
     scene.run.duration = 0.02;
@@ -115,7 +115,8 @@ TEST_CASE("scenes: friction of a squeeze film is that of the film of the squeeze
     const Scene scene = squat_scene(law);
     const SceneJoint& joint = scene.joints[0];
     const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
-    const JointShear<double> shear = make_shear<double>(law, bearing, Lubricant<double>(joint.viscosity), ShearExtent::film);
+    const JointShear<double> shear =
+        make_shear<double>(law, bearing, Lubricant<double>(joint.viscosity), ShearExtent::film);
     CHECK(shear.squeeze_only == law.starts_with("squeeze"));
   }
   CHECK_THROWS_WITH(make_shear<double>("squeeze_short", squat, oil, ShearExtent::striated), Contains("squeeze_short"));

@@ -68,7 +68,8 @@ TEST_CASE("massless scene: a light journal follows it to first order in the mass
   }
 }
 
-TEST_CASE("massless scene: at every sample the film's force is the load, turned about, and the rate is the mobility's") {
+TEST_CASE(
+    "massless scene: at every sample the film's force is the load, turned about, and the rate is the mobility's") {
   for (const std::string& law : laws_that_move) {
     INFO(law);
     const Scene scene = scene_of(0, law);
@@ -92,8 +93,8 @@ TEST_CASE("massless scene: at every sample the film's force is the load, turned 
 
 TEST_CASE("massless scene: every integrator runs it to its tolerance, auto among them") {
   const JournalTrajectory fine = simulate_journal(scene_of(0, "short_dynamic"));
-  for (const std::string method : {"rosenbrock4", "dopri5", "fehlberg78", "bulirsch_stoer", "adams_bashforth_moulton",
-                                   "auto"}) {
+  for (const std::string method :
+       {"rosenbrock4", "dopri5", "fehlberg78", "bulirsch_stoer", "adams_bashforth_moulton", "auto"}) {
     INFO(method);
     Scene scene = scene_of(0, "short_dynamic");
     scene.integrator = method;
@@ -117,10 +118,13 @@ TEST_CASE("massless scene: what makes no sense without mass is refused by name")
   refused(text_of("0", "short_dynamic", {{"bodies[0].spin", "50"}}), "bodies[0].mass is 0", "held");
   refused(text_of("0", "short_dynamic", {{"bodies[0].velocity", "[0.1, 0]"}}), "bodies[0].velocity", "the load");
   refused(text_of("0", "short_dynamic") + "\nenergy_ledger = true\n", "mass 0", "ledger");
-  refused(text_of("0", "short_dynamic", {{"joints[0].journal.point", "[1e-3, 0]"}, {"bodies[0].position", "[-1e-3, 0]"}}), "mass 0", "off the centres");
+  refused(
+      text_of("0", "short_dynamic", {{"joints[0].journal.point", "[1e-3, 0]"}, {"bodies[0].position", "[-1e-3, 0]"}}),
+      "mass 0", "off the centres");
   for (const std::string law : {"short_half", "squeeze_long", "butenschoen"}) {
-    CHECK_THROWS_WITH(simulate_journal(parse_scene(text_of("0", law, {{"joints[0].length", "0.0098"}}), "massless.toml")),
-                      Contains(law) && Contains("one velocity") && Contains("short_dynamic"));
+    CHECK_THROWS_WITH(
+        simulate_journal(parse_scene(text_of("0", law, {{"joints[0].length", "0.0098"}}), "massless.toml")),
+        Contains(law) && Contains("one velocity") && Contains("short_dynamic"));
   }
   CHECK_THROWS_WITH(journal_equilibrium(parse_scene(text_of("0", "short_dynamic"), "massless.toml")),
                     Contains("mass is 0"));

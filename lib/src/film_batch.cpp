@@ -39,8 +39,8 @@ namespace {
 
 using detail::ForceBlock;
 
-/// The dynamic films, and those of squeeze alone that open and close, have a branch on how the film opens, an arctangent
-/// and a series.
+/// The dynamic films, and those of squeeze alone that open and close, have a branch on how the film opens, an
+/// arctangent and a series.
 template <class Law>
 constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same_v<Law, LongDynamic> &&
                              !std::is_same_v<Law, SqueezeShort> && !std::is_same_v<Law, SqueezeLong>;
@@ -174,8 +174,7 @@ void evaluate_in_bearing(std::string_view law, const Bearing<double>& bearing, c
   with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
     if constexpr (ShapedFilmLaw<Law>) {
       require_shape<Law>(length_to_diameter(bearing));
-      evaluate_singly(rows, forces,
-                      [&](const auto& state) { return as_pair(film_force<Law>(bearing, oil, state)); });
+      evaluate_singly(rows, forces, [&](const auto& state) { return as_pair(film_force<Law>(bearing, oil, state)); });
     } else {
       evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set);
     }

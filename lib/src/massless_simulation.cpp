@@ -1,5 +1,6 @@
-#include "journal_simulation.hpp"
 #include "massless_simulation.hpp"
+
+#include "journal_simulation.hpp"
 
 namespace lubjoint::detail {
 
@@ -22,8 +23,8 @@ StiffnessMeasure measure_stiffness(const MasslessJournal<ChosenLaw>& journal, co
 
 JournalTrajectory simulate_massless_journal(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
-  const MasslessJournal<ChosenLaw> journal(
-      ChosenFilm<double>(scene.joints.front().film, parts.bearing, parts.oil), parts.drive);
+  const MasslessJournal<ChosenLaw> journal(ChosenFilm<double>(scene.joints.front().film, parts.bearing, parts.oil),
+                                           parts.drive);
   const MasslessState<double> start{parts.start[0], parts.start[1]};
   const auto begin = std::chrono::steady_clock::now();
   IntegratorChoice choice{scene.integrator, ""};

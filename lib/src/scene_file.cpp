@@ -196,12 +196,13 @@ void require_massless_journals(const TableReader& root, const Scene& scene) {
   const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& b) { return b.mass == 0; });
   if (!any || is_free_journal(scene)) return;
   const bool alone = scene.bodies.size() == 1 && scene.joints.size() == 1 && scene.constraints.empty();
-  const char* why = !alone                  ? "in a mechanism"
+  const char* why = !alone                    ? "in a mechanism"
                     : scene.joints[0].contact ? "in a bearing whose wall it may touch"
                     : scene.energy_ledger     ? "in a scene with an energy ledger, whose kinetic energy it has none of"
                                               : "with a moment, or a bearing or a pin off the centres";
-  root.refuse("bodies", std::string("a body of mass 0 ") + why,
-              "a mass above 0, or a journal alone, at the mass centre of its body, on a film in a bearing on the ground");
+  root.refuse(
+      "bodies", std::string("a body of mass 0 ") + why,
+      "a mass above 0, or a journal alone, at the mass centre of its body, on a film in a bearing on the ground");
 }
 
 Scene read_scene(TableReader root, const std::string& file) {

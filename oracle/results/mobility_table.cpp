@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "lubjoint/film/every_law.hpp"
-#include "lubjoint/film/shaped_mobility.hpp"
 #include "lubjoint/film/mobility.hpp"
+#include "lubjoint/film/shaped_mobility.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {

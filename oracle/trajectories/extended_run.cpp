@@ -27,10 +27,9 @@ template <class Law>
 class ExtendedJournal final : public OdeSystem<Real, 4> {
  public:
   ExtendedJournal(const std::string& law, const JournalScene& p)
-      : journal_(
-            film_of<Law, Real>(law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
-                               Lubricant<Real>(p.oil.viscosity())),
-            {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
+      : journal_(film_of<Law, Real>(law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
+                                    Lubricant<Real>(p.oil.viscosity())),
+                 {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
   void rate(const State& y, State& dydt, const Real&) override { journal_.rate(y, dydt); }
   void jacobian(const State& y, Jacobian& j, const Real&) override {
     exact_jacobian([this](const auto& x, auto& dxdt) { journal_.rate(x, dxdt); }, y, j);

@@ -371,7 +371,8 @@ std::string law_bench_table(const LawBench& bench) {
   const double batch = find(bench, "pinkus_sternlicht", "batch").nanoseconds;
   const double scalar = find(bench, "pinkus_sternlicht", "scalar").nanoseconds;
   text += fmt::format(
-      "Errors over |F| against the certified values; for finite_length the model error of the law, for mobility how far\n"
+      "Errors over |F| against the certified values; for finite_length the model error of the law, for mobility how "
+      "far\n"
       "the velocity that carries F(u) is from u.\n"
       "Bound: two square roots and a division, {}: {:.2f} ns. Pinkus-Sternlicht: batch {:.2f} times the bound, scalar "
       "{:.2f} times the batch.\n\n",

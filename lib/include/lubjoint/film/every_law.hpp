@@ -1,5 +1,5 @@
-/// Every law: those of law_list.hpp, which carry a journal that turns, those of the squeeze alone, which carry none, and
-/// those of finite length, which depend on the bearing's L/D, too.
+/// Every law: those of law_list.hpp, which carry a journal that turns, those of the squeeze alone, which carry none,
+/// and those of finite length, which depend on the bearing's L/D, too.
 #pragma once
 
 #include <string>

@@ -49,7 +49,9 @@ concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
 
 /// A half film: its force jumps where a changes sign, and what it does on either side can be asked for.
 template <class Law>
-concept HalfFilmLaw = PolarLaw<Law>&& requires { requires Law::extent == FilmExtent::half; };
+concept HalfFilmLaw = PolarLaw<Law> && requires {
+  requires Law::extent == FilmExtent::half;
+};
 
 namespace detail {
 
@@ -125,7 +127,8 @@ Vector2<T> force_ratio_at_rest(const FilmState<T>& film, [[maybe_unused]] const 
 template <FilmLaw Law, class T>
 Vector2<T> force_ratio(const FilmState<T>& film) {
   if (is_zero(film.velocity)) {
-    return detail::force_ratio_at_rest(film, [](const auto& state) { return detail::force_ratio_in_motion<Law>(state); });
+    return detail::force_ratio_at_rest(film,
+                                       [](const auto& state) { return detail::force_ratio_in_motion<Law>(state); });
   }
   return detail::force_ratio_in_motion<Law>(film);
 }

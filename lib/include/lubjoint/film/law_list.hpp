@@ -1,5 +1,5 @@
-/// The laws whose film carries a journal that turns, by type and by name: a new one is a header of its own and a line in
-/// FilmLaws. every_law.hpp has the other laws, too.
+/// The laws whose film carries a journal that turns, by type and by name: a new one is a header of its own and a line
+/// in FilmLaws. every_law.hpp has the other laws, too.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 /// A film whose law is chosen when the program runs.
 ///
-/// The laws of law_list.hpp are types in everything that a run is made of. The others, which few scenes have, share what
-/// is compiled for this one film, at the price of a call through a pointer for each force and, for derivatives, of a
-/// product with the film's own Jacobian.
+/// The laws of law_list.hpp are types in everything that a run is made of. The others, which few scenes have, share
+/// what is compiled for this one film, at the price of a call through a pointer for each force and, for derivatives, of
+/// a product with the film's own Jacobian.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ namespace lubjoint {
 /// laws with a line of them or with none, and Butenschön's sum, which is not passive, with any number: they leave the
 /// motion of a journal without mass open.
 template <class Law>
-inline constexpr bool moves_massless_journal = is_law_of<Law, FilmLaws> ? Law::extent != FilmExtent::half
-                                                                        : std::is_same_v<Law, MoesImpedance>;
+inline constexpr bool moves_massless_journal =
+    is_law_of<Law, FilmLaws> ? Law::extent != FilmExtent::half : std::is_same_v<Law, MoesImpedance>;
 
 /// F/S of a law at a state, and its derivatives by ê_x, ê_y, u_x, u_y, with q = 1 − ê·ê.
 template <class R>
 struct FilmSlopes {
-  Vector2<R> ratio;                ///< F/S [1/s]
+  Vector2<R> ratio;                 ///< F/S [1/s]
   Eigen::Matrix<R, 2, 4> by_state;  ///< rows: x and y of F/S
 };
 
@@ -127,15 +127,14 @@ class ChosenFilm {
     if constexpr (ScalarTraits<T>::carries_derivatives) {
       const Vector2<T>& e = film.eccentricity;
       const Vector2<T>& u = film.velocity;
-      const FilmSlopes<R> at = functions_->slopes(
-          FilmState<R>(Vector2<R>(value_of(e.x()), value_of(e.y())), Vector2<R>(value_of(u.x()), value_of(u.y())),
-                       value_of(film.q), Unchecked()),
-          shape_);
+      const FilmSlopes<R> at =
+          functions_->slopes(FilmState<R>(Vector2<R>(value_of(e.x()), value_of(e.y())),
+                                          Vector2<R>(value_of(u.x()), value_of(u.y())), value_of(film.q), Unchecked()),
+                             shape_);
       const auto component = [&](Eigen::Index i) {
         const auto slope = at.by_state.row(i);
-        return T(scale_ * at.ratio(i),
-                 scale_ * (slope(0) * e.x().derivatives() + slope(1) * e.y().derivatives() +
-                           slope(2) * u.x().derivatives() + slope(3) * u.y().derivatives()));
+        return T(scale_ * at.ratio(i), scale_ * (slope(0) * e.x().derivatives() + slope(1) * e.y().derivatives() +
+                                                 slope(2) * u.x().derivatives() + slope(3) * u.y().derivatives()));
       };
       return Vector2<T>(component(0), component(1));
     } else {

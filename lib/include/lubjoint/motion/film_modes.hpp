@@ -4,9 +4,9 @@
 /// one side, on the other, and sliding, where both sides push the journal back to a = 0 and the tangential force is
 /// whatever keeps it there (Filippov). Every piece is integrated by itself and ends at an event; nothing is smoothed.
 ///
-/// A mode has: dimension; coordinates, how many of its states are places whose rates are states, too; rate(y, dydt, t) on
-/// any scalar (or its own jacobian(y, j)), and time_slope(t, slope), its partial derivative by the time; journal(t, y),
-/// the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
+/// A mode has: dimension; coordinates, how many of its states are places whose rates are states, too; rate(y, dydt, t)
+/// on any scalar (or its own jacobian(y, j)), and time_slope(t, slope), its partial derivative by the time; journal(t,
+/// y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
 #pragma once
 
 #include <array>
