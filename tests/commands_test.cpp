@@ -299,5 +299,5 @@ TEST_CASE("simulate: every scene that ships runs to its end") {
     CHECK_THAT(result.out, Catch::Contains("\"status\": \"finished\""));
     ++scenes;
   }
-  CHECK(scenes == 9);  // as many as the README and the command line promise
+  CHECK(scenes == 10);  // as many as the README and the command line promise
 }

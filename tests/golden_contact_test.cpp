@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "support/golden.hpp"
 
 using namespace lubjoint;
@@ -72,7 +72,7 @@ TEST_CASE("golden transition: the film in the clearance c + e1, dry contact, and
       const Bearing<double> wider(bearing.length(), bearing.radius(), c + table.number(row, "e1"));
       const FilmState<double> state = film_state(motion, wider.clearance());
       conditioning = 1 / state.q;
-      film = with_film_law(law, [&, &oil = oil]<class Law>() { return film_force<Law>(wider, oil, state); });
+      film = with_film_law<StateFilmLaws>(law, [&, &oil = oil]<class Law>() { return film_force<Law>(wider, oil, state); });
     }
     const DryForce dry = dry_force(table, row);
     const Vector2<double> force = (1 - share) * film + share * dry.force;

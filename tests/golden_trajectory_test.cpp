@@ -76,7 +76,7 @@ TEST_CASE("golden trajectories: the simulator follows the reference of every law
 TEST_CASE("golden trajectories: every scene that ships has one, and every law of the free journal") {
   std::set<std::string> expected;
   for (const auto& file : multibody_scenes()) expected.insert(file.stem().string() + ".csv");
-  CHECK(expected.size() == 8);
+  CHECK(expected.size() == 9);
   for (const std::string_view law : film_law_names) expected.insert("journal-" + std::string(law) + ".csv");
   std::set<std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(trajectories)) {

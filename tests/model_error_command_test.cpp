@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
@@ -81,7 +81,8 @@ TEST_CASE("model-error: a scene and its bearing given by hand say the same, with
     CHECK((error >= 0 && std::isfinite(error)));
     CHECK((uncertainty >= 0 && uncertainty < 0.02 * (1 + error)));  // that of the finite film, 1e-3, and of its grid
   }
-  CHECK(states.size() == 3 * lubjoint::film_law_names.size());
+  CHECK(states.size() == 3 * (lubjoint::every_law_names.size() - 1));  // butenschoen is not made for L/D = 2.04
+  CHECK_FALSE(states.contains("butenschoen finite_reynolds"));
   for (const auto& [pair, count] : states) CHECK(count == states.begin()->second);
 }
 
@@ -94,6 +95,7 @@ TEST_CASE("model-error: the report begins with its verdict, which is that of its
   // The law with the least median of the table.
   std::string best;
   double least = 1e300;
+  double nearest_fit = 1e300;
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -101,11 +103,17 @@ TEST_CASE("model-error: the report begins with its verdict, which is that of its
     words >> film >> law >> median >> unit;
     if (film != "finite_reynolds" || (unit != "%" && unit != "times")) continue;
     const double value = std::stod(median) * (unit == "%" ? 0.01 : 1);
+    const auto& at_rest = lubjoint::film_law_names;
+    if (std::find(at_rest.begin(), at_rest.end(), law) == at_rest.end()) {
+      nearest_fit = std::min(nearest_fit, value);
+      continue;
+    }
     if (value >= least) continue;
     least = value;
     best = law;
   }
   REQUIRE(!best.empty());
+  CHECK((first.find("A fit is nearer: moes_impedance") != std::string::npos) == (nearest_fit < least));
   CHECK_THAT(first, Contains(": " + best + ", median "));
   const double rest = equilibrium_in(result.out, best).first;
   const double real = equilibrium_in(result.out, "finite_reynolds, free onset").first;

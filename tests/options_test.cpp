@@ -184,7 +184,7 @@ TEST_CASE("Options: files that can't be read are refused by name") {
     check_refused({command, folder.path().string()}, {"is a folder"});
     check_refused({command, folder.write("cut.toml", "name = \"cu")}, {"cut.toml:1: not valid TOML"});
     check_refused({command, folder.write("mass.toml", journal_text().with("bodies[0].mass", "nan"))},
-                  {"mass.toml:11: bodies[0].mass is nan; allowed is a finite number above 0 [kg]"});
+                  {"mass.toml:11: bodies[0].mass is nan; allowed is a finite number, 0 or more [kg]"});
     check_refused({command, folder.write("e.toml", journal_text().with("bodies[0].position", "[1.0, 0.0]"))},
                   {"eccentricity ratio 5000"});
     const std::string text = read_text(scene);

@@ -101,10 +101,10 @@ TEST_CASE("Butenschön's sum is not passive: counterexample, a wedge and an open
 TEST_CASE("laws of finite length refuse the shapes they are not made for, and warn of those they are poor at") {
   const FilmState<double> film(Vec(0.5, 0), Vec(0, 1));
   const Bearing<double> paper(0.04, 0.0098, 2e-4);
-  CHECK_THROWS_WITH(shaped_film_force<Butenschoen>(paper, Lubricant<double>(0.4), film),
+  CHECK_THROWS_WITH(film_force<Butenschoen>(paper, Lubricant<double>(0.4), film),
                     Contains("length over diameter is 2.04082 for the law butenschoen") && Contains("at most 1"));
   CHECK_THROWS_WITH(shaped_force_ratio<MoesImpedance>(film, 0.0), Contains("moes_impedance") && Contains("above 0"));
-  CHECK_NOTHROW(shaped_film_force<MoesImpedance>(paper, Lubricant<double>(0.4), film));
+  CHECK_NOTHROW(film_force<MoesImpedance>(paper, Lubricant<double>(0.4), film));
   CHECK_THAT(MoesImpedance::warning(1), Contains("L/D = 1"));
   CHECK(MoesImpedance::warning(0.99).empty());
   CHECK_THAT(Butenschoen::warning(0.12), Contains("1/8"));

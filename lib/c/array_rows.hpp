@@ -9,7 +9,7 @@
 
 #include "lubjoint.h"
 #include "lubjoint/film/batch.hpp"
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 
 namespace lubjoint::c {
 

@@ -22,6 +22,7 @@ int lubjoint_film_coefficients(const char* law, const lubjoint_bearing* bearing,
     }
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
+    require_law_at_rest(law);
     with_film_law(law, [&]<class Law>() {
       for (std::size_t i = 0; i < n; ++i) {
         try {

@@ -6,7 +6,7 @@ using namespace lubjoint::c;
 
 namespace {
 
-template <FilmLaw Law>
+template <AnyFilmLaw Law>
 void film_losses_of(const Bearing<double>& bearing, const Lubricant<double>& oil, ShearExtent shear, std::size_t n,
                     const lubjoint_motion& motion, const lubjoint_losses& losses) {
   static_cast<void>(sheared_gap<Law>(shear));  // refuses
@@ -55,6 +55,6 @@ int lubjoint_film_losses(const char* law, const lubjoint_bearing* bearing, const
     const ShearExtent extent = shear_extent(shear);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    with_film_law(law, [&]<class Law>() { film_losses_of<Law>(geometry, oil, extent, n, *motion, *losses); });
+    with_film_law<EveryFilmLaw>(law, [&]<class Law>() { film_losses_of<Law>(geometry, oil, extent, n, *motion, *losses); });
   });
 }

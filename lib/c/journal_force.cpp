@@ -14,7 +14,7 @@ int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, siz
       require("fx", fx.data);
       require("fy", fy.data);
     }
-    require_film_law(law);
+    require_film_law<EveryFilmLaw>(law);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
     const std::array in = {motion->ex,           motion->ey, motion->vx, motion->vy, motion->omega_bearing,

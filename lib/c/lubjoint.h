@@ -83,7 +83,8 @@ typedef struct lubjoint_coefficients {
 LUBJOINT_API const char* lubjoint_message(void);
 LUBJOINT_API const char* lubjoint_version(void);
 
-/* Name of law number i from 0 on; null after the last. */
+/* Name of law number i from 0 on; null after the last. Laws of the squeeze alone (squeeze_*) bear no journal at rest, and
+ * moes_impedance and butenschoen are fits: none of them has film coefficients. butenschoen takes L/D up to 1. */
 LUBJOINT_API const char* lubjoint_law_name(size_t i);
 
 /* Force of the film on the journal, radial (along the eccentricity) and tangential (90 degrees counter-clockwise), of

@@ -16,7 +16,7 @@ int lubjoint_polar_force(const char* law, const lubjoint_bearing* bearing, size_
       require("radial", radial.data);
       require("tangential", tangential.data);
     }
-    require_film_law(law);
+    require_film_law<EveryFilmLaw>(law);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
     for_blocks(n, std::array{eccentricity_ratio, slip_rate, squeeze_rate}, radial, tangential,

@@ -21,7 +21,7 @@ int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing, 
     const TransitionTolerances<double> tolerances(contact->e0, contact->e1);
     const ContactSurface<double> surface{contact->stiffness, contact->restitution};
     require_contact(surface, contact->impact_speed);
-    with_film_law(law, [&]<class Law>() {
+    with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
       for_rows(n, fx, fy, [&](std::size_t i) {
         return touching_journal_force<Law>(geometry, oil, tolerances, surface, motion_at(*motion, i),
                                            contact->impact_speed);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/steady_place.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
@@ -121,6 +122,12 @@ Stability JournalEquilibrium::stability() const {
 
 JournalEquilibrium journal_equilibrium(const Scene& scene) {
   if (scene.joints.empty()) journal_scene(scene);  // says what is missing
+  if (!scene.bodies.empty() && scene.bodies.front().mass == 0) {
+    throw SceneError(scene.file + ":" + std::to_string(scene.bodies.front().line) +
+                     ": bodies[0].mass is 0, and eigenvalues need one; allowed is a mass above 0: the place of "
+                     "equilibrium does not depend on it where the load is given");
+  }
+  require_law_at_rest(scene.joints.front().film);
   const LawAtRest law = with_film_law(scene.joints.front().film, []<class Law>() {
     return LawAtRest{&steady_place<Law, double>, &polar_force_ratio<Law, double>, Law::limit, &linearise<Law>};
   });

@@ -4,7 +4,7 @@
 
 #include "film_rows.hpp"
 #include "lubjoint/film/batch.hpp"
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define LUBJOINT_HAS_AVX2 1
@@ -39,9 +39,11 @@ namespace {
 
 using detail::ForceBlock;
 
-/// The dynamic films have a branch on how the film opens, an arctangent and a series.
+/// The dynamic films, and those of squeeze alone that open and close, have a branch on how the film opens, an
+/// arctangent and a series.
 template <class Law>
-constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same_v<Law, LongDynamic>;
+constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same_v<Law, LongDynamic> &&
+                             !std::is_same_v<Law, SqueezeShort> && !std::is_same_v<Law, SqueezeLong>;
 
 #ifdef LUBJOINT_HAS_AVX2
 template <FilmLaw Law, class Rows>
@@ -108,6 +110,21 @@ void evaluate(const Rows& rows, double scale, const ForceArrays& forces, Instruc
   }
 }
 
+/// One state after the other, of a law that needs more than the state.
+template <class Rows, class Force>
+void evaluate_singly(const Rows& rows, const ForceArrays& forces, const Force& force_of) {
+  for (std::size_t i = 0; i < forces.first.size(); ++i) {
+    try {
+      const Vector2<double> force = force_of(rows.checked(i));
+      if (!std::isfinite(force.x()) || !std::isfinite(force.y())) throw ForceRowError(i);
+      forces.first[i] = force.x();
+      forces.second[i] = force.y();
+    } catch (const FilmDomainError& error) {
+      throw FilmRowError(i, error.what());
+    }
+  }
+}
+
 struct NamedInput {
   const char* name;
   std::span<const double> values;
@@ -143,23 +160,45 @@ void require_arrays(std::initializer_list<NamedInput> inputs, const ForceArrays&
   }
 }
 
-void evaluate_law(std::string_view law, const FilmStateArrays& s, const ForceArrays& forces, InstructionSet set,
-                  const auto& scale_of) {
+detail::PlaneRows plane_rows(const FilmStateArrays& s, const ForceArrays& forces, InstructionSet set) {
   require_arrays({{"ex", s.ex}, {"ey", s.ey}, {"ux", s.ux}, {"uy", s.uy}}, forces, set);
-  const detail::PlaneRows rows{s.ex.data(), s.ey.data(), s.ux.data(), s.uy.data()};
-  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, scale_of(Law::limit), forces, set); });
+  return {s.ex.data(), s.ey.data(), s.ux.data(), s.uy.data()};
+}
+
+Vector2<double> as_pair(const Vector2<double>& force) { return force; }
+Vector2<double> as_pair(const PolarForce<double>& force) { return {force.radial, force.tangential}; }
+
+template <class Rows>
+void evaluate_in_bearing(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                         const Rows& rows, const ForceArrays& forces, InstructionSet set) {
+  with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+    if constexpr (ShapedFilmLaw<Law>) {
+      require_shape<Law>(length_to_diameter(bearing));
+      evaluate_singly(rows, forces, [&](const auto& state) { return as_pair(film_force<Law>(bearing, oil, state)); });
+    } else {
+      evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set);
+    }
+  });
 }
 
 }  // namespace
 
 void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
                        InstructionSet set) {
-  evaluate_law(law, states, ratios, set, [](BearingLimit) { return 1.0; });
+  const detail::PlaneRows rows = plane_rows(states, ratios, set);
+  with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+    if constexpr (ShapedFilmLaw<Law>) {
+      throw std::invalid_argument("the force ratio of " + std::string(law) +
+                                  " depends on the bearing; allowed is its force in a bearing");
+    } else {
+      evaluate<Law>(rows, 1.0, ratios, set);
+    }
+  });
 }
 
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const FilmStateArrays& states, const ForceArrays& forces, InstructionSet set) {
-  evaluate_law(law, states, forces, set, [&](BearingLimit limit) { return force_scale(limit, bearing, oil); });
+  evaluate_in_bearing(law, bearing, oil, plane_rows(states, forces, set), forces, set);
 }
 
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
@@ -168,7 +207,7 @@ void film_forces(std::string_view law, const Bearing<double>& bearing, const Lub
       {{"eccentricity_ratio", s.eccentricity_ratio}, {"slip_rate", s.slip_rate}, {"squeeze_rate", s.squeeze_rate}},
       forces, set);
   const detail::PolarRows rows{s.eccentricity_ratio.data(), s.slip_rate.data(), s.squeeze_rate.data()};
-  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set); });
+  evaluate_in_bearing(law, bearing, oil, rows, forces, set);
 }
 
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
@@ -182,7 +221,7 @@ void film_forces(std::string_view law, const Bearing<double>& bearing, const Lub
                  forces, set);
   const detail::MotionRows rows{m.ex.data(),           m.ey.data(),           m.vx.data(),        m.vy.data(),
                                 m.bearing_spin.data(), m.journal_spin.data(), bearing.clearance()};
-  with_film_law(law, [&]<class Law>() { evaluate<Law>(rows, force_scale(Law::limit, bearing, oil), forces, set); });
+  evaluate_in_bearing(law, bearing, oil, rows, forces, set);
 }
 
 }  // namespace lubjoint

@@ -10,7 +10,7 @@
 
 namespace lubjoint::detail {
 
-template <FilmLaw Law>
+template <class Law>
 StiffnessMeasure measure_stiffness(const FreeJournal<Law>& journal, const Scene& scene,
                                    const JournalState<double>& start) {
   const RunSettings settings = pilot_settings(scene.run);
@@ -25,19 +25,11 @@ StiffnessMeasure measure_stiffness(const FreeJournal<Law>& journal, const Scene&
   return measure;
 }
 
-/// What the generated file of a law instantiates.
-template <FilmLaw Law>
-JournalTrajectory simulate_journal_with(const Scene& scene) {
-  const JournalScene parts = journal_scene(scene);
-  const FreeJournal<Law> journal(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
+/// A run that has begun at `begin` and is over: its trajectory and its extremes.
+inline JournalTrajectory trajectory_of(const ModeRuns& run, const RunOutcome& outcome, const IntegratorChoice& choice,
+                                       const Bearing<double>& bearing, std::chrono::steady_clock::time_point begin) {
   JournalTrajectory result;
-  const auto begin = std::chrono::steady_clock::now();
-  IntegratorChoice choice{scene.integrator, ""};
-  if (scene.integrator == automatic_integrator) {
-    choice = choose_integrator(measure_stiffness(journal, scene, parts.start), scene.run.relative_tolerance);
-  }
-  JournalRun<Law> run(journal, scene.joints.front().name, choice.name, scene.run);
-  result.outcome = run.run(parts.start);
+  result.outcome = outcome;
   result.outcome.integrator = choice.name;
   result.outcome.integrator_reason = choice.reason;
   const auto end = std::chrono::steady_clock::now();
@@ -49,8 +41,25 @@ JournalTrajectory simulate_journal_with(const Scene& scene) {
   result.t_max_eccentricity_ratio = recorder.t_max_eccentricity_ratio();
   result.max_force = recorder.max_force();
   result.t_max_force = recorder.t_max_force();
-  result.min_film_thickness = parts.bearing.clearance() * (1 - result.max_eccentricity_ratio);
+  result.min_film_thickness = bearing.clearance() * (1 - result.max_eccentricity_ratio);
   return result;
+}
+
+/// What the generated file of a law instantiates.
+/// @tparam Law  of law_list.hpp, or ChosenLaw for all others
+template <class Law>
+JournalTrajectory simulate_journal_with(const Scene& scene) {
+  const JournalScene parts = journal_scene(scene);
+  const FreeJournal<Law> journal(film_of<Law, double>(scene.joints.front().film, parts.bearing, parts.oil),
+                                 parts.drive);
+  const auto begin = std::chrono::steady_clock::now();
+  IntegratorChoice choice{scene.integrator, ""};
+  if (scene.integrator == automatic_integrator) {
+    choice = choose_integrator(measure_stiffness(journal, scene, parts.start), scene.run.relative_tolerance);
+  }
+  JournalRun<Law> run(journal, scene.joints.front().name, choice.name, scene.run);
+  const RunOutcome outcome = run.run(parts.start);
+  return trajectory_of(run, outcome, choice, parts.bearing, begin);
 }
 
 }  // namespace lubjoint::detail

@@ -10,6 +10,7 @@
 namespace lubjoint {
 
 template class MultibodyOde<double>;
+template const FilmFunctions<double>& film_functions<double>(std::string_view law);
 template StartCorrection<double> assemble_start(const PlanarSystem<double>& system, const double& t,
                                                 const double& length, std::vector<double>& y);
 
@@ -74,6 +75,8 @@ bool is_free_journal(const Scene& scene) {
   const bool slows_down = joint.shear && !scene.bodies.front().spin_is_held;
   return !joint.contact && !turned && !slows_down && joint.bearing.on_ground() && is_zero(joint.journal.point);
 }
+
+bool is_massless_journal(const Scene& scene) { return is_free_journal(scene) && scene.bodies.front().mass == 0; }
 
 namespace detail {
 

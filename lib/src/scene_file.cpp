@@ -8,9 +8,10 @@
 #include <sstream>
 #include <string_view>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/losses.hpp"
 #include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/scene/simulate.hpp"
 #include "lubjoint/text/nearest_name.hpp"
 #include "lubjoint/text/printable.hpp"
 #include "scene_changes.hpp"
@@ -30,8 +31,10 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   if (body.name == "ground" || is_taken(others, body.name)) {
     table.refuse("name", in_quotes(body.name), "a name that no other body has; \"ground\" is what never moves");
   }
-  body.mass = table.number("mass", Allowed::positive, "kg");
-  body.inertia = table.number("inertia", Allowed::positive, "kg m^2");
+  body.mass = table.number("mass", Allowed::not_negative, "kg");
+  // A journal without mass may keep its inertia: one number then gives it a mass.
+  body.inertia = body.mass == 0 ? table.number_or("inertia", 0, Allowed::positive, "kg m^2")
+                                : table.number("inertia", Allowed::positive, "kg m^2");
   body.position = table.vector_or("position", body.position, "m");
   body.angle = table.number_or("angle", 0, Allowed::any, "rad");
   body.velocity = table.vector_or("velocity", body.velocity, "m/s");
@@ -46,6 +49,13 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
     spin.finish();
   } else {
     body.spin = table.number_or("spin", 0, Allowed::any, "rad/s");
+  }
+  if (body.mass == 0 && !body.spin_is_held) {
+    table.refuse("mass", "0 kg for a body whose spin is not held",
+                 "a number above 0 [kg], or 0 with spin = {held = NUMBER}: a journal whose film carries the load");
+  }
+  if (body.mass == 0 && !is_zero(body.velocity)) {
+    table.refuse("velocity", "given for a body without mass", "none: the load on its film says how it moves");
   }
   table.finish();
   return body;
@@ -69,7 +79,7 @@ std::optional<ShearExtent> read_shear(TableReader& table, const std::string& fil
     table.refuse("shear", in_quotes(name), one_of(shear_extent_names, name));
   }
   const ShearExtent shear = shear_extent(name);
-  if (!with_film_law(film, [&]<class Law>() { return has_shear<Law>(shear); })) {
+  if (!with_film_law<EveryFilmLaw>(film, [&]<class Law>() { return has_shear<Law>(shear); })) {
     table.refuse("shear", in_quotes(name) + " with " + film, "film or flooded; striated is for half films");
   }
   return shear;
@@ -85,6 +95,21 @@ Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
   return body.position + Vector2<double>(cosine * s.x() - sine * s.y(), sine * s.x() + cosine * s.y());
 }
 
+/// A law of finite length is not made for every L/D.
+void require_shape_of_joint(TableReader& table, const SceneJoint& joint) {
+  with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+    if constexpr (ShapedFilmLaw<Law>) {
+      const double shape = joint.length / (2 * joint.journal_radius);
+      if (shape <= Law::longest) return;
+      std::ostringstream allowed;
+      allowed << "a bearing whose length is at most " << Law::longest << " of its diameter, or another law";
+      std::ostringstream given;
+      given << in_quotes(joint.film) << " in a bearing of L/D = " << shape;
+      table.refuse("film", given.str(), allowed.str());
+    }
+  });
+}
+
 SceneJoint read_joint(TableReader table, const Scene& scene) {
   SceneJoint joint;
   joint.name = table.name("name");
@@ -94,8 +119,8 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
   }
   joint.film = table.text("film");
   const bool dry = joint.film == no_film;
-  if (!dry && std::find(film_law_names.begin(), film_law_names.end(), joint.film) == film_law_names.end()) {
-    table.refuse("film", in_quotes(joint.film), one_of(film_law_names, joint.film) + ", or " + no_film);
+  if (!dry && std::find(every_law_names.begin(), every_law_names.end(), joint.film) == every_law_names.end()) {
+    table.refuse("film", in_quotes(joint.film), one_of(every_law_names, joint.film) + ", or " + no_film);
   }
   // A dry joint may keep its oil and length: one word then changes it.
   joint.viscosity = dry ? table.number_or("viscosity", 0, Allowed::positive, "Pa s")
@@ -111,6 +136,7 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     allowed << "less than journal_radius, " << joint.journal_radius << " m";
     table.refuse("clearance", given.str(), allowed.str());
   }
+  if (!dry) require_shape_of_joint(table, joint);
   read_contact(table, joint);
   joint.shear = read_shear(table, joint.film);
   if (table.has("density")) {
@@ -171,6 +197,20 @@ void read_output(TableReader table, Scene& scene) {
   table.finish();
 }
 
+/// A body without mass is a journal alone on its film: all else would need its inertia.
+void require_massless_journals(const TableReader& root, const Scene& scene) {
+  const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& b) { return b.mass == 0; });
+  if (!any || is_free_journal(scene)) return;
+  const bool alone = scene.bodies.size() == 1 && scene.joints.size() == 1 && scene.constraints.empty();
+  const char* why = !alone                    ? "in a mechanism"
+                    : scene.joints[0].contact ? "in a bearing whose wall it may touch"
+                    : scene.energy_ledger     ? "in a scene with an energy ledger, whose kinetic energy it has none of"
+                                              : "with a moment, or a bearing or a pin off the centres";
+  root.refuse(
+      "bodies", std::string("a body of mass 0 ") + why,
+      "a mass above 0, or a journal alone, at the mass centre of its body, on a film in a bearing on the ground");
+}
+
 Scene read_scene(TableReader root, const std::string& file) {
   Scene scene;
   scene.file = file;
@@ -195,6 +235,7 @@ Scene read_scene(TableReader root, const std::string& file) {
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene);
   if (root.has("output")) read_output(root.table("output"), scene);
+  require_massless_journals(root, scene);
   root.finish();
   return scene;
 }

@@ -158,9 +158,14 @@ CoefficientBalls coefficients(Law law, const Ball& e) {
       return long_coefficients(e, 6 * (pi - 16 * e * e / (pi * d * d)) / q_32,
                                -48 * e * (Ball(1) + e * e) / (d * d * q));
     case Law::pinkus_sternlicht:
+      return long_coefficients(e, 6 * pi / q_32, -18 * pi * e / (d * q));
+    case Law::squeeze_long_full:
+    case Law::squeeze_short_full:
+    case Law::squeeze_long:
+    case Law::squeeze_short:
       break;
   }
-  return long_coefficients(e, 6 * pi / q_32, -18 * pi * e / (d * q));
+  throw std::invalid_argument("a film of the squeeze alone has no steady state");
 }
 
 CoefficientBalls coefficients_by_quadrature(Law law, const Ball& epsilon) {

@@ -46,11 +46,30 @@ PolarBalls pinkus_sternlicht(const FilmBalls& film) {
   return {-(6 * (4 * epsilon * k + ball_pi() * d * b * phi) / (d * q * root)), 6 * ball_pi() * a * phi / (d * root)};
 }
 
+/// Where p > 0 in a film of pure squeeze: −(12b/q^{3/2})[π − arccos ε + ε√q] and, opening, [arccos ε − ε√q]; short:
+/// −(b/q²)[(1+2ε²)(π − arccos ε)/√q + 3ε] and [(1+2ε²) arccos ε/√q − 3ε].
+Ball positive_squeeze(Law law, const FilmBalls& film) {
+  const Ball& epsilon = film.epsilon;
+  const Ball q = film.q();
+  const Ball root = sqrt(q);
+  const bool opens = film.b.sign() < 0;
+  const Ball arc = atan2(root, epsilon);  // arccos ε
+  const Ball angle = opens ? arc : ball_pi() - arc;
+  const Ball rest = opens ? -epsilon : epsilon;
+  if (law == Law::squeeze_long) return -(12 * film.b / (q * root) * (angle + rest * root));
+  const Ball growth = Ball(1) + 2 * epsilon * epsilon;
+  return -(film.b / (q * q) * (growth * angle / root + 3 * rest));
+}
+
 }  // namespace
+
+FilmBalls film_seen(const LawEntry& law, const FilmBalls& film) {
+  return law.squeeze_only ? FilmBalls{film.epsilon, Ball(0), film.b} : film;
+}
 
 LawEntry law_entry(Law law, std::string_view name) {
   const LawFacts& facts = law_facts(name);
-  return {law, facts.name, facts.is_short(), facts.extent, facts.has_pressure};
+  return {law, facts.name, facts.is_short(), facts.extent, facts.has_pressure, facts.squeeze_only};
 }
 
 Ball force_scale(const LawEntry& law, double viscosity, double length, double radius, const Ball& clearance) {
@@ -102,6 +121,13 @@ PolarBalls force_ratio(Law law, const FilmBalls& film) {
               6 * pi * a / (d * root) + side * 24 * b / ((Ball(1) + epsilon) * q)};
     case Law::pinkus_sternlicht:
       return pinkus_sternlicht(film);
+    case Law::squeeze_long_full:
+      return {-(12 * pi * b / q_32), Ball(0)};
+    case Law::squeeze_short_full:
+      return {-(pi * b * growth / q_52), Ball(0)};
+    case Law::squeeze_long:
+    case Law::squeeze_short:
+      return {b.is_exact_zero() ? Ball(0) : positive_squeeze(law, film), Ball(0)};
     case Law::short_dynamic:
     case Law::long_dynamic:
       break;

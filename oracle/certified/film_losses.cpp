@@ -19,7 +19,7 @@ struct Scene {
   Ball flow;      ///< cRL [m³]
 
   Scene(const LawEntry& law, const JointState& state)
-      : film(film_frame(state, Ball(state.clearance)).film),
+      : film(film_seen(law, film_frame(state, Ball(state.clearance)).film)),
         clearance(state.clearance),
         spin(Ball(state.omega_journal) - Ball(state.omega_bearing)),
         couette(Ball(state.viscosity) * spin * Ball(state.radius) * Ball(state.radius) * Ball(state.radius) *
@@ -79,7 +79,7 @@ FilmIntegrals short_integrals(const FilmBalls& film, const ExtentBalls& extent, 
 }
 
 FilmIntegrals long_integrals(const LawEntry& law, const FilmBalls& film, const ExtentBalls& extent) {
-  const bool of_whole = law.law == Law::long_full || law.law == Law::long_half_eq5;
+  const bool of_whole = law.extent == Extent::full || law.law == Law::long_half_eq5;
   const ExtentBalls window = of_whole ? ExtentBalls{Ball(0), 2 * ball_pi()} : extent;
   const auto wave = [&](const Place& at) { return film.a * at.cosine + (2 * film.b) * at.sine; };
   const Ball weight = over(film, window, [&](const Place& at) { return ComplexBall(Ball(1)) / cubed(at.h); });

@@ -55,12 +55,13 @@ class LongSlope {
 
 }  // namespace
 
-PolarBalls force_ratio_by_quadrature(Law law, const FilmBalls& film) {
+PolarBalls force_ratio_by_quadrature(Law law, const FilmBalls& given) {
   const LawEntry& entry = laws[static_cast<std::size_t>(law)];
+  const FilmBalls film = film_seen(entry, given);
   if (!entry.has_pressure) throw std::invalid_argument(std::string(entry.name) + " is the integral of no pressure");
   if (film.at_rest()) return {};
   const ExtentBalls extent = film_extent(entry.extent, film);
-  if (law == Law::long_half || law == Law::long_dynamic) {
+  if (law == Law::long_half || law == Law::long_dynamic || law == Law::squeeze_long) {
     const LongSlope slope(film, extent);
     const Ball radial = integral(
         [&](const ComplexBall& theta) {

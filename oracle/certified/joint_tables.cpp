@@ -132,7 +132,7 @@ GoldenTable equilibrium_table() {
   return {"equilibrium.csv",
           golden_header("law,viscosity,length,radius,clearance,omega_sum,load_x,load_y",
                         {"eccentricity_ratio", "ex_over_c", "ey_over_c", "attitude"}),
-          laws.size() * states.size(), row};
+          laws_at_rest * states.size(), row};
 }
 
 }  // namespace lubjoint::certified

@@ -31,7 +31,7 @@ void check_losses(const LawEntry& law, const JointState& state, std::size_t numb
                   [&] { return std::vector<Ball>{film_losses_by_quadrature(law, state).power}; }, where + ", power");
   if (!law.is_short) return;
   const auto flow = [&] {  // cRL(|a| + |b|)
-    const FilmBalls film = film_frame(state, Ball(state.clearance)).film;
+    const FilmBalls film = film_seen(law, film_frame(state, Ball(state.clearance)).film);
     return Ball(state.clearance) * Ball(state.radius) * Ball(state.length) * (abs(film.a) + abs(film.b));
   };
   require_overlap(
@@ -124,7 +124,7 @@ GoldenTable coefficients_table() {
           golden_header("law,viscosity,length,radius,clearance,eccentricity_ratio,omega",
                         {"load", "attitude", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "critical_mass",
                          "whirl_ratio"}),
-          laws.size() * states.size(), row};
+          laws_at_rest * states.size(), row};
 }
 
 }  // namespace lubjoint::certified

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/files/files.hpp"
 
@@ -51,7 +51,7 @@ void add_accuracy(CLI::App& app, Action& action) {
              "(dynamic films: of |F|).\n";
       std::cout << fmt::format("{:<20}{:>10}{:>16}{:>16}{:>16}\n", "law", "ulp", "of |F| to 1e-6", "to 1e-9",
                                "to 1e-12");
-      for (const std::string_view name : film_law_names) {
+      for (const std::string_view name : names_of_laws<StateFilmLaws>) {
         const std::string law(name);
         std::cout << fmt::format("{:<20}{:>10.2f}{:>16.2e}{:>16.2e}{:>16.2e}\n", law, reports::worst_ulp(rows, law, 0),
                                  reports::worst_of_force(rows, law, 0.99e-6),

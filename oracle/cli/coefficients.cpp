@@ -4,9 +4,8 @@
 #include <iostream>
 
 #include "lubjoint/film/film_state.hpp"
-#include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/bearing_options.hpp"
-#include "oracle/cli/name_option.hpp"
+#include "oracle/cli/law_option.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/results/coefficient_table.hpp"
@@ -87,7 +86,7 @@ void add_coefficients(CLI::App& app, Action& action) {
   command->add_flag("--dimensionless", options->dimensionless, "cK/W, c omega C/W and m c omega^2/W");
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, film_law_names);
+      require_law_with_rest(options->law);
       if (options->states.has_value() == options->speeds.has_value()) {
         throw std::invalid_argument("coefficients needs --states or --speeds; allowed is one of them");
       }

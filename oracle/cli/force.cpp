@@ -1,7 +1,7 @@
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/squeeze_only.hpp"
 #include "oracle/cli/bearing_options.hpp"
-#include "oracle/cli/name_option.hpp"
+#include "oracle/cli/law_option.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/files/files.hpp"
 
@@ -10,7 +10,7 @@ namespace lubjoint::cli {
 namespace {
 
 /// The law in extended precision, rounded once: what is printed is right to the last digit of a double.
-template <FilmLaw Law, class Write>
+template <AnyFilmLaw Law, class Write>
 void forces(reports::CsvStream& states, const Bearing<double>& bearing, const Lubricant<double>& oil,
             const Write& write) {
   using Wide = long double;
@@ -44,8 +44,8 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
       const Bearing<double> bearing = options->bearing();
+      require_law_of_bearing(options->law, bearing);
       const Lubricant<double> oil = options->oil();
       answer_stream("force", options->states, [&](reports::CsvStream& states, const auto& write) {
         with_film_law<EveryFilmLaw>(options->law, [&]<class Law>() { forces<Law>(states, bearing, oil, write); });

@@ -1,8 +1,7 @@
 #include <array>
 
-#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
-#include "oracle/cli/name_option.hpp"
+#include "oracle/cli/law_option.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/results/losses_table.hpp"
 
@@ -28,11 +27,12 @@ void add_losses(CLI::App& app, Action& action) {
                       "(half films: streaks behind the minimum film)");
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
+      require_name("--law", options->law, every_law_names);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
       with_film_law<EveryFilmLaw>(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
       const Bearing<double> bearing = options->bearing();
+      require_law_of_bearing(options->law, bearing);
       const Lubricant<double> oil = options->oil();
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
         constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};

@@ -1,8 +1,7 @@
 #include <iostream>
 
-#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/bearing_options.hpp"
-#include "oracle/cli/name_option.hpp"
+#include "oracle/cli/law_option.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/results/mobility_table.hpp"
 
@@ -24,8 +23,9 @@ void add_mobility(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, names_of_laws<EveryFilmLaw>);
       const Bearing<double> bearing = options->bearing();
+      require_law_of_bearing(options->law, bearing);
+      reports::require_mobility(options->law);
       const Lubricant<double> oil = options->oil();
       answer_stream("mobility", options->states, [&](reports::CsvStream& states, const auto& write) {
         constexpr std::array given = {"ex_over_c", "ey_over_c", "fx", "fy"};

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
@@ -42,7 +42,7 @@ struct SceneOptions {
 
   /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
   void require() const {
-    if (law) require_name("--law", *law, film_law_names);
+    if (law) require_name("--law", *law, every_law_names);
     if (integrator) require_name("--integrator", *integrator, integrator_names());
     if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
@@ -57,7 +57,11 @@ struct SceneOptions {
                                     "\", which has no joint with a film; allowed without it");
       }
       for (SceneJoint& joint : scene.joints) {
-        if (joint.film != no_film) joint.film = *law;
+        if (joint.film == no_film) continue;
+        joint.film = *law;
+        with_film_law<EveryFilmLaw>(*law, [&]<class Law>() {
+          if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(joint.length / (2 * joint.journal_radius));
+        });
       }
     }
     if (integrator) scene.integrator = *integrator;

@@ -66,6 +66,7 @@ std::optional<reports::LateExtremes> late_of(const Scene& scene, const RunOutcom
 
 int simulate(const Scene& scene, const std::optional<double>& after, const Output& output) {
   warn(reports::unit_warnings(scene));
+  warn(reports::law_warnings(scene));
   // Where the film model itself is in doubt, the tolerance too coarse for the film, or the film too thin for a bearing.
   if (is_free_journal(scene)) {
     const JournalTrajectory run = simulate_journal(scene);

@@ -4,11 +4,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/cli/name_option.hpp"
+#include "oracle/cli/law_option.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/results/stability_map.hpp"
 #include "oracle/sweep/sweep_grid.hpp"
@@ -45,12 +44,15 @@ reports::RotorQuestion of_scene(const Options& options) {
     for (SceneJoint& joint : scene.joints) joint.film = *options.law;
   }
   const JournalScene parts = journal_scene(scene);
+  require_law_with_rest(scene.joints.front().film);
   const double load = parts.drive.load.norm();
   if (!(load > 0)) throw std::invalid_argument(*options.scene + ": the load is 0; allowed is one above 0 [N]");
   if (parts.drive.journal_spin == 0) {
     throw std::invalid_argument(*options.scene + ": bodies[0].spin is 0; allowed is a spin other than 0 [rad/s]");
   }
-  return {{scene.joints.front().film, parts.bearing, parts.oil}, load, parts.drive.journal_spin, parts.drive.mass};
+  std::optional<double> mass;
+  if (parts.drive.mass > 0) mass = parts.drive.mass;
+  return {{scene.joints.front().film, parts.bearing, parts.oil}, load, parts.drive.journal_spin, mass};
 }
 
 reports::RotorQuestion of_numbers(const Options& options) {
@@ -119,7 +121,7 @@ void add_stability(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "One JSON object");
   command->callback([options, &action] {
     action = [options] {
-      if (options->law) require_name("--law", *options->law, film_law_names);
+      if (options->law) require_law_with_rest(*options->law);
       const std::optional<reports::StabilityMap> map = map_of(*options);
       const reports::RotorQuestion question = options->scene ? of_scene(*options) : of_numbers(*options);
       const reports::RotorAnswer answer = reports::rotor_answer(question);

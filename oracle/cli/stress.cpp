@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
@@ -44,7 +44,14 @@ std::vector<reports::StressCase> wanted_cases(const StressOptions& options) {
 
 reports::StressSettings settings_of(const StressOptions& options) {
   reports::StressSettings settings = reports::stress_settings(options.quick);
-  for (const std::string& name : options.laws) require_name("--law", name, film_law_names);
+  for (const std::string& name : options.laws) {
+    require_name("--law", name, every_law_names);
+    if (std::find(film_law_names.begin(), film_law_names.end(), name) == film_law_names.end()) {
+      throw std::invalid_argument("--law " + name +
+                                  " has no stored motions of other methods to be judged by; allowed are " +
+                                  listed_film_laws());
+    }
+  }
   for (const std::string& name : options.integrators) require_name("--integrator", name, integrator_names());
   if (!options.laws.empty()) settings.laws = options.laws;
   if (!options.integrators.empty()) settings.integrators = options.integrators;

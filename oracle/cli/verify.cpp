@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/data_folder.hpp"
@@ -95,11 +95,12 @@ void refuse_options_without_effect(const VerifyOptions& o) {
 
 void check(const VerifyOptions& o) {
   if (o.law.empty() && o.states_out.empty()) {
-    throw std::invalid_argument("--law is missing; allowed are auto, " + listed_film_laws());
+    throw std::invalid_argument("--law is missing; allowed are auto, " + listed_film_laws<StateFilmLaws>());
   }
   if (!o.law.empty()) {
     std::vector<std::string_view> allowed = {"auto"};
-    allowed.insert(allowed.end(), film_law_names.begin(), film_law_names.end());
+    const auto& names = names_of_laws<StateFilmLaws>;
+    allowed.insert(allowed.end(), names.begin(), names.end());
     require_name("--law", o.law, allowed);
   }
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");

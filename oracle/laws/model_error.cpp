@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
@@ -57,7 +57,10 @@ std::vector<ModelErrorEntry> model_error_map(const Bearing<double>& bearing, con
       const PolarFilmState<double> state(epsilon, slip, std::cos(direction));
       for (const oracle::FiniteFilm film : compared_films) {
         const auto force = finite_length_force(film, bearing, oil, state, {grid.relative_tolerance, {}});
-        for_each_film_law([&]<class Law>() {
+        for_each_film_law<EveryFilmLaw>([&]<class Law>() {
+          if constexpr (ShapedFilmLaw<Law>) {
+            if (length_to_diameter(bearing) > Law::longest) return;
+          }
           const Difference d = difference(film_force<Law>(bearing, oil, state), force);
           map.push_back({Law::name, film, epsilon, direction, d.error, d.uncertainty});
         });
@@ -71,7 +74,7 @@ std::vector<ModelErrorSummary> summaries_of(const std::vector<ModelErrorEntry>& 
   constexpr std::array<double, 3> bounds = {0.05, 0.10, 0.25};
   std::vector<ModelErrorSummary> summaries;
   for (const oracle::FiniteFilm film : compared_films) {
-    for (const std::string_view law : film_law_names) {
+    for (const std::string_view law : every_law_names) {
       std::vector<double> errors;
       std::array<std::vector<double>, 3> by_direction;
       double first_bad = 1;
@@ -186,7 +189,7 @@ VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<
     const PolarFilmState<double> state = polar_view(film).state;
     const auto force =
         finite_length_force(oracle::FiniteFilm::finite_reynolds, bearing, oil, state, {1e-2, oracle::FilmOnset::free});
-    const double error = with_film_law(
+    const double error = with_film_law<EveryFilmLaw>(
         joint.film, [&]<class Law>() { return difference(film_force<Law>(bearing, oil, state), force).error; });
     errors.push_back(error);
     if (error > result.largest) {

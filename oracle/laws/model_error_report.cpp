@@ -62,10 +62,16 @@ const LoadedState* find_state(const std::vector<LoadedState>& loaded, std::strin
 std::string verdict(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
                     const std::vector<LoadedState>& loaded) {
   constexpr oracle::FiniteFilm truth = oracle::FiniteFilm::finite_reynolds;
-  const ModelErrorSummary* best = nullptr;
-  for (const ModelErrorSummary& summary : summaries) {
-    if (summary.film == truth && (best == nullptr || summary.median < best->median)) best = &summary;
-  }
+  const auto least = [&](const auto& counts) {
+    const ModelErrorSummary* best = nullptr;
+    for (const ModelErrorSummary& summary : summaries) {
+      if (summary.film != truth || !counts(summary.law)) continue;
+      if (best == nullptr || summary.median < best->median) best = &summary;
+    }
+    return best;
+  };
+  const auto has_rest = [](std::string_view law) { return std::ranges::count(film_law_names, law) > 0; };
+  const ModelErrorSummary* best = least(has_rest);  // a film, and a place of rest on it; fits are named behind
   if (best == nullptr) return {};
   std::string text = fmt::format("least wrong for this bearing: {}, median {}", best->law, error_words(best->median));
   const LoadedState* rest = find_state(loaded, best->law);
@@ -80,6 +86,10 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
         rest->eccentricity_ratio, real->eccentricity_ratio, pinned->eccentricity_ratio,
         1e6 * c * (1 - rest->eccentricity_ratio), 1e6 * c * (1 - real->eccentricity_ratio),
         1e6 * c * (1 - pinned->eccentricity_ratio));
+  }
+  const ModelErrorSummary* fit = least([&](std::string_view law) { return !has_rest(law); });
+  if (fit != nullptr && fit->median < best->median) {
+    text += fmt::format(". A fit is nearer: {}, median {}", fit->law, error_words(fit->median));
   }
   return text + ".\n\n";
 }

@@ -123,6 +123,17 @@ PublishedTerms<R> published_terms_at(std::string_view law, const R& epsilon, con
     const R phi = b < 0 ? R(k / (k + 3 * big_b / 2)) : R((k + 3 * big_b) / (k + 3 * big_b / 2));
     return {{-24 * epsilon * k / (d * q32), -6 * pi * b * phi / q32}, {6 * pi * a * phi / (d * q12)}};
   }
+  if (law == "squeeze_short_full") return {{-short_squeeze}, {R(0)}};
+  if (law == "squeeze_long_full") return {{-12 * pi * b / q32}, {R(0)}};
+  if (law == "squeeze_short" || law == "squeeze_long") {
+    using std::atan2;
+    const bool opens = side ? side < 0 : b < 0;
+    const R arc = atan2(q12, epsilon);  // arccos ε
+    const R angle = opens ? arc : R(pi - arc);
+    const R rest = opens ? R(-epsilon) : epsilon;
+    if (law == "squeeze_long") return {{-12 * b * angle / q32, -12 * b * rest / q}, {R(0)}};
+    return {{-b * (1 + 2 * epsilon * epsilon) * angle / q52, -3 * b * rest / (q * q)}, {R(0)}};
+  }
   const detail::DynamicIntegrals<R> j(epsilon, q, a, b);
   if (law == "short_dynamic") {
     return {{(a * j(1, 1) - 2 * b * j(0, 2)) / 2}, {(a * j(2, 0) - 2 * b * j(1, 1)) / 2}};
@@ -135,7 +146,8 @@ PublishedTerms<R> published_terms_at(std::string_view law, const R& epsilon, con
 
 /// Terms of the law of that name. The dynamic laws have one term a component: their accuracy is stated against |F|.
 /// @param epsilon  0 ≤ ε < 1;  @param a, b  not both zero
-/// @param side  half films: +1 film on 0…π, −1 on π…2π, 0: where the sign of a says
+/// @param side  half films: +1 film on 0…π, −1 on π…2π, 0: where the sign of a says; squeeze_short and squeeze_long:
+///              +1 closing, −1 opening, 0: as the sign of b says
 template <class R>
 PublishedTerms<R> published_terms(std::string_view law, const R& epsilon, const R& a, const R& b, int side = 0) {
   return published_terms_at<R>(law, epsilon, R((1 - epsilon) * (1 + epsilon)), a, b, side);

@@ -289,14 +289,14 @@ void measure_general(const Scene& scene, SceneCost& cost, Measurement& measureme
                   });
 }
 
-template <FilmLaw Law>
+template <class Law>
 void measure_journal(const Scene& scene, SceneCost& cost, Measurement& measurement) {
   const JournalScene parts = journal_scene(scene);
-  const auto journal =
-      std::make_shared<FreeJournal<Law>>(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
+  const auto journal = std::make_shared<FreeJournal<Law>>(
+      film_of<Law, double>(scene.joints.front().film, parts.bearing, parts.oil), parts.drive);
   cost.coordinates = 2;
   cost.states = 4;
-  cost.film_jumps = PolarLaw<Law> ? 1 : 0;
+  cost.film_jumps = FilmOf<Law, double>::jumps ? 1 : 0;
   const double rate = std::max(1.0, std::abs(parts.drive.mean_spin()));
   const auto y = std::make_shared<JournalState<double>>(JournalState<double>{0.3, 0.2, 0.1 * rate, -0.2 * rate});
   const auto dydt = std::make_shared<JournalState<double>>();
@@ -328,7 +328,9 @@ SceneCost scene_cost(const Scene& scene, std::size_t rounds) {
   count_scene(scene, cost);
   Measurement measurement;
   if (cost.free_journal) {
-    with_film_law(scene.joints.front().film, [&]<class Law>() { measure_journal<Law>(scene, cost, measurement); });
+    with_film_law<EveryFilmLaw>(scene.joints.front().film, [&]<class Law>() {
+      measure_journal<RunLaw<Law>>(scene, cost, measurement);
+    });
   } else {
     measure_general(scene, cost, measurement);
   }

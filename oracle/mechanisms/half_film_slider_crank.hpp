@@ -60,7 +60,7 @@ struct PinRun {
 
 /// Crank at θ = Ωt, no gravity, from the ideal mechanism's places and velocities; the half film Law.
 /// States are deviations from the ideal mechanism: y = [l(φ − φ_i)/c, (x − x_i)/c] and their rates over cΩ.
-template <PolarLaw Law, class R>
+template <HalfFilmLaw Law, class R>
 class HalfFilmSliderCrank {
  public:
   using State = ShortState<R, 4>;

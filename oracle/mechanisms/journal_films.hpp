@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "lubjoint/film/law.hpp"
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 
 namespace lubjoint::mechanisms {
 
 /// Which branch of its law a film is on: one that is continued smoothly beyond the branch's end.
 struct FilmBranch {
   int side = 1;     ///< half films: +1 film on 0…π (a ≥ 0), −1 on π…2π (a < 0)
-  int squeeze = 1;  ///< Pinkus–Sternlicht: sign of b
+  int squeeze = 1;  ///< laws that kink at b = 0: sign of b
 };
 
 /// F_r/S and F_t/S [1/s].
@@ -24,11 +24,16 @@ template <FilmLaw Law>
 struct LibraryFilm {
   static constexpr bool is_short = Law::limit == BearingLimit::short_bearing;
   static constexpr bool jumps = Law::extent == FilmExtent::half;  ///< at a = 0
-  static constexpr bool kinks = false;                            ///< the library's form finds its branch itself
+  /// At b = 0: a squeeze film that opens resists in another way than one that closes.
+  static constexpr bool kinks = SqueezeOnlyLaw<Law> && Law::extent == FilmExtent::dynamic;
 
   template <class R>
   static PolarRatio<R> ratio(const R& epsilon, const R& q, const R& a, const R& b, const FilmBranch& branch) {
     if (a == 0 && b == 0) return {R(0), R(0)};
+    if constexpr (kinks) {  // linear in b on either branch
+      const PolarFilmState<R> unit(epsilon, R(0), R(branch.squeeze), q, Unchecked());
+      return {R(branch.squeeze * b * Law::force_ratio(unit, HalfFilmSide::converging).radial), R(0)};
+    }
     const PolarFilmState<R> state(epsilon, a, b, q, Unchecked());
     if constexpr (PolarLaw<Law>) {
       const auto f = Law::force_ratio(state, branch.side < 0 ? HalfFilmSide::mirrored : HalfFilmSide::converging);

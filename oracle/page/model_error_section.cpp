@@ -124,6 +124,8 @@ BearingModelError bearing_model_error(const Example1& example) {
   BearingModelError result;
   result.length_to_diameter = parts.bearing.length() / (2 * parts.bearing.radius());
   result.map = model_error_map(parts.bearing, ModelErrorGrid::standard());
+  // The example's own laws.
+  std::erase_if(result.map, [](const auto& entry) { return std::ranges::count(film_law_names, entry.law) == 0; });
   result.loaded =
       loaded_states(parts.bearing, parts.oil, parts.drive.load.norm(), std::abs(2 * parts.drive.mean_spin()));
   for (const Example1Law& item : example.laws) result.visited.push_back(visited_model_error(item.scene, item.run));

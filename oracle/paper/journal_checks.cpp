@@ -41,7 +41,7 @@ double sliding_difference(const JournalTrajectory& one, const JournalTrajectory&
 }
 
 bool jumps(const std::string& law) {
-  return with_film_law(law, []<class Law>() { return PolarLaw<Law>; });
+  return with_film_law(law, []<class Law>() { return HalfFilmLaw<Law>; });
 }
 
 bool integrates_a_pressure(const std::string& law) {

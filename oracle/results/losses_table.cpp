@@ -25,7 +25,7 @@ bool is_steady(const FilmState<Wide>& film) {
   return std::abs(along) <= 8 * Wide(std::numeric_limits<double>::epsilon()) * terms;  // rounding of the given doubles
 }
 
-template <FilmLaw Law>
+template <AnyFilmLaw Law>
 LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const JournalMotion<Wide>& motion,
                  ShearExtent shear) {
   const FilmState<Wide> film = film_state(motion, bearing.clearance());

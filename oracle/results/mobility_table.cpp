@@ -6,6 +6,7 @@
 
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/mobility.hpp"
+#include "lubjoint/film/shaped_mobility.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {
@@ -47,11 +48,27 @@ std::string mobility_columns(std::string_view law, const Bearing<double>& bearin
   const Lubricant<Wide> wide_oil(oil.viscosity());
   const Vector2<Wide> wide_place(e_hat.x(), e_hat.y());
   const Vector2<Wide> wide_force(force.x(), force.y());
-  const Mobility<Wide> found = with_film_law<EveryFilmLaw>(
-      law, [&]<class Law>() { return mobility<Law>(wide_bearing, wide_oil, wide_place, wide_force); });
+  const Mobility<Wide> found = with_film_law<EveryFilmLaw>(law, [&]<class Law>() -> Mobility<Wide> {
+    if constexpr (FilmLaw<Law>) {
+      return mobility<Law>(wide_bearing, wide_oil, wide_place, wide_force);
+    } else if constexpr (std::is_same_v<Law, MoesImpedance>) {
+      const Wide q = one_minus_squared_norm<Wide>(wide_place.x(), wide_place.y());
+      const Vector2<Wide> ratio = wide_force / force_scale(Law::limit, wide_bearing, wide_oil);
+      return {MobilityStatus::found, moes_velocity(wide_place, q, ratio, length_to_diameter(wide_bearing))};
+    } else {
+      throw std::logic_error("require_mobility has let a law pass");
+    }
+  });
   std::string text = fields(found.velocity) + ',';
   text += mobility_status_names[static_cast<std::size_t>(found.status)];
   return can_have_two(law) ? text + fields(found.other) : text;
+}
+
+void require_mobility(std::string_view law) {
+  if (law != Butenschoen::name) return;
+  throw std::invalid_argument(
+      "the law butenschoen has no mobility: its sum is not passive, and how many velocities carry a force is not "
+      "known; allowed are the other laws");
 }
 
 std::string mobility_note(std::string_view law) {

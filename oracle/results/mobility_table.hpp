@@ -20,6 +20,9 @@ std::vector<std::string> mobility_column_names(std::string_view law);
 std::string mobility_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                              const Vector2<double>& e_hat, const Vector2<double>& force);
 
+/// Refuses a law that has no inverse. @throws std::invalid_argument
+void require_mobility(std::string_view law);
+
 /// What the table's reader should know of a law: where uniqueness is not proved. Empty for other laws.
 std::string mobility_note(std::string_view law);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 
 namespace lubjoint::reports {
@@ -66,6 +67,20 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
           "Speeds are in rad/s, and {} looks like another unit.",
           each.name, scene.bodies[driver->second].name, driver->speed, scene.bodies[driver->second].spin, guess, word));
     }
+  }
+  return warnings;
+}
+
+std::vector<std::string> law_warnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const SceneJoint& joint : scene.joints) {
+    if (joint.film == no_film) continue;
+    with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+      if constexpr (ShapedFilmLaw<Law>) {
+        const std::string warning = Law::warning(joint.length / (2 * joint.journal_radius));
+        if (!warning.empty()) warnings.push_back(fmt::format("warning: joint \"{}\": {}", joint.name, warning));
+      }
+    });
   }
   return warnings;
 }

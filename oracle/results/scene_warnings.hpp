@@ -16,6 +16,9 @@ double safe_film_thickness(const SceneJoint& joint);
 /// the distances between the points of its mechanism, and spins that are a driver's speed in rpm or degrees.
 std::vector<std::string> unit_warnings(const Scene& scene);
 
+/// Where a law is a poor one for the shape of its bearing, a sentence each.
+std::vector<std::string> law_warnings(const Scene& scene);
+
 /// What bringing the start onto the constraints has moved by more than 1 % (of the mechanism's size, of a radian, of
 /// the speed itself), by body, with what was given and what is needed.
 std::vector<std::string> correction_warnings(const Scene& scene, const MultibodyTrajectory& run);

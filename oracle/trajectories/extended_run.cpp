@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
 #include "lubjoint/motion/multibody_run.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
@@ -23,14 +22,14 @@ std::unique_ptr<Integrator<Real, N>> integrator_of(ExtendedMethod method, const 
   return std::make_unique<Fehlberg78Integrator<Real, N>>(tolerance);
 }
 
-template <FilmLaw Law>
+/// Law: of law_list.hpp, or ChosenLaw.
+template <class Law>
 class ExtendedJournal final : public OdeSystem<Real, 4> {
  public:
-  explicit ExtendedJournal(const JournalScene& p)
-      : journal_(
-            LubricatedJoint<Law, Real>(Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
-                                       Lubricant<Real>(p.oil.viscosity())),
-            {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
+  ExtendedJournal(const std::string& law, const JournalScene& p)
+      : journal_(film_of<Law, Real>(law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
+                                    Lubricant<Real>(p.oil.viscosity())),
+                 {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
   void rate(const State& y, State& dydt, const Real&) override { journal_.rate(y, dydt); }
   void jacobian(const State& y, Jacobian& j, const Real&) override {
     exact_jacobian([this](const auto& x, auto& dxdt) { journal_.rate(x, dxdt); }, y, j);
@@ -50,11 +49,11 @@ double extended_tolerance(ExtendedMethod method) {
 
 Reference extended_journal_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method) {
   const JournalScene parts = journal_scene(scene);
-  return with_film_law(scene.joints[0].film, [&]<class Law>() -> Reference {
-    if constexpr (PolarLaw<Law>) {
+  return with_film_law<EveryFilmLaw>(scene.joints[0].film, [&]<class Law>() -> Reference {
+    if constexpr (HalfFilmLaw<Law>) {
       throw std::invalid_argument(std::string(Law::name) + ": allowed here are laws without a jump");
     } else {
-      ExtendedJournal<Law> system(parts);
+      ExtendedJournal<RunLaw<Law>> system(scene.joints[0].film, parts);
       const Real tolerance(extended_tolerance(method));
       const Real velocity = tolerance * 1000;  // rates of ê reach thousands a second
       const auto integrator =

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/mechanisms/free_journal.hpp"
 #include "oracle/mechanisms/slider_crank_loop.hpp"
@@ -29,7 +29,7 @@ Values journal_rows(const Scene& scene, const std::string& law, const std::vecto
   const mechanisms::FreeJournalCase<R> journal = free_journal_case<R>(scene);
   const bool velocities = is_free_journal(scene);
   const std::vector<R> at(times.begin(), times.end());
-  const auto run = with_film_law(law, [&]<class Law>() {
+  const auto run = with_film_law<StateFilmLaws>(law, [&]<class Law>() {
     return mechanisms::free_journal_run<typename mechanisms::JournalFilmOf<Law>::Type, R>(journal, at, R(step_error));
   });
   if (!run.stopped.empty()) throw std::runtime_error("second derivation: " + run.stopped);

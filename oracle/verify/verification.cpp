@@ -245,7 +245,11 @@ Verification best_law(Quantities quantities, const std::vector<State>& states, c
     for (std::size_t i = 0; i < all.size(); ++i) order.push_back(i);
     std::ranges::sort(order, {}, [&](std::size_t i) { return unexplained(all[i]); });
     // Sets of three take longest: the likeliest laws alone.
-    if (depth == SearchDepth::triples) order.resize(std::min<std::size_t>(order.size(), 4));
+    if (depth == SearchDepth::triples) {
+      // A steady or a partial program is more likely one of a law with a wedge than three mistakes in a squeeze law.
+      std::erase_if(order, [&](std::size_t i) { return facts_of(all[i].judgement.law).squeeze_only; });
+      order.resize(std::min<std::size_t>(order.size(), 4));
+    }
     for (const std::size_t i : order) {
       all[i] = made(quantities, all[i].judgement.law, states, answers, settings, depth);
     }

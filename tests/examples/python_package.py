@@ -81,7 +81,13 @@ moments = lubjoint.joint_moments(1e-4, 0, 0.1, 0, -0.1, 0, fx, fy)
 assert numpy.allclose(moments, (-(0.1 + 1e-4) * fy, -0.1 * fy), rtol=1e-15)  # rounding
 contact = lubjoint.Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, impact_speed=0.1)
 assert lubjoint.transition_force("long_half", bearing, contact, 3e-4, 0, 0, 0, 0, 0)[0] < 0
-assert len(lubjoint.laws()) == 8
+assert len(lubjoint.laws()) == 14
+closing, across = lubjoint.polar_force("squeeze_long_full", bearing, 0.5, 3, 1.0)  # the wedge is left out
+scale = bearing.viscosity * bearing.length * bearing.radius**3 / bearing.clearance**2
+assert abs(closing / (-12 * numpy.pi * scale / 0.75**1.5) - 1) < 1e-14 and across == 0
+assert lubjoint.film_losses("squeeze_short", bearing, 0, 0, 1e-3, 0, 0, 50).side_flow > 0
+squat = lubjoint.Bearing(bearing.viscosity, bearing.radius, bearing.radius, bearing.clearance)  # L/D = 1/2
+assert lubjoint.journal_force("butenschoen", squat, 1e-5, 0, 1e-3, 0, 0, 50)[0] < 0
 losses = lubjoint.film_losses("short_dynamic", bearing, 0, 0, [1e-3, 0], 0, 0, 50)
 assert losses.power.shape == (2,) and losses.power[0] > losses.power[1] > 0 and losses.side_flow[1] == 0
 assert lubjoint.film_losses("long_half", bearing, 0, 0, 0, 0, 0, 50).side_flow is None
@@ -93,7 +99,9 @@ assert abs(bearing.clearance * rest.stiffness[0, 0, 1] / rest.load[0] - 3.976642
 backward = lubjoint.film_coefficients("short_half", bearing, 0.5, -50)
 assert backward.damping[0, 1] == -rest.damping[0, 0, 1] and backward.critical_mass == rest.critical_mass[0]
 for bad in ((lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
-            (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1))):
+            (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1)),
+            (lambda: lubjoint.film_coefficients("squeeze_long", bearing, 0.5, 1)),
+            (lambda: lubjoint.journal_force("butenschoen", lubjoint.Bearing(0.4, 0.04, 0.0098, 2e-4), 0, 0, 1, 0, 0, 0))):
     try:
         bad()
         raise SystemExit("not refused")

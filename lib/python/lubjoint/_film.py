@@ -193,7 +193,7 @@ def film_losses(law, bearing, ex, ey, vx, vy, omega_bearing, omega_journal, shea
     """Friction torques, power and side flow; shear is "film", "flooded" or, for half films, "striated"."""
     batch = _Batch([ex, ey, vx, vy, omega_bearing, omega_journal], None)
     block, outputs = _rows(batch.count, 4)
-    has_flow = law.startswith("short")
+    has_flow = law.removeprefix("squeeze_").startswith("short")
     if not has_flow:
         outputs[3] = _In(None, 0)
     _check(_library.lubjoint_film_losses(law.encode(), bearing._struct(), shear.encode(), batch.count,

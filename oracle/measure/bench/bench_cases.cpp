@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/joint/chosen_film.hpp"
 #include "lubjoint/motion/journal_run.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
@@ -21,13 +21,12 @@ namespace {
 
 // Three formulations as race problems.
 
-template <FilmLaw Law>
+/// Law: of law_list.hpp, or ChosenLaw.
+template <class Law>
 class JournalProblem final : public RaceProblem<4> {
  public:
-  JournalProblem(const JournalScene& parts, double velocity_scale)
-      : journal_(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive),
-        start_(parts.start),
-        velocity_scale_(velocity_scale) {}
+  JournalProblem(const FreeJournal<Law>& journal, const State& start)
+      : journal_(journal), start_(start), velocity_scale_(detail::rate_scale(journal)) {}
 
   void rate(const State& y, State& dydt, const double&) override {
     ++evaluations_;
@@ -236,15 +235,15 @@ double worst_difference(const Reference& one, const Reference& other) {
 std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<double>& times,
                                         const Reference& reference) {
   const JournalScene parts = journal_scene(scene);
-  return with_film_law(scene.joints[0].film, [&]<class Law>() -> std::unique_ptr<BenchCase> {
-    if constexpr (PolarLaw<Law>) {
+  return with_film_law<EveryFilmLaw>(scene.joints[0].film, [&]<class Law>() -> std::unique_ptr<BenchCase> {
+    if constexpr (HalfFilmLaw<Law>) {
       throw std::invalid_argument(std::string(Law::name) +
                                   ": its force jumps, and a race of steps alone has no events; allowed are laws "
                                   "without a jump, such as its dynamic film");
     } else {
-      const FreeJournal<Law> journal(LubricatedJoint<Law, double>(parts.bearing, parts.oil), parts.drive);
-      return std::make_unique<RaceCase<4>>("journal",
-                                           std::make_unique<JournalProblem<Law>>(parts, detail::rate_scale(journal)),
+      using Run = RunLaw<Law>;
+      const FreeJournal<Run> journal(film_of<Run, double>(scene.joints[0].film, parts.bearing, parts.oil), parts.drive);
+      return std::make_unique<RaceCase<4>>("journal", std::make_unique<JournalProblem<Run>>(journal, parts.start),
                                            scene.run.duration, times, reference);
     }
   });

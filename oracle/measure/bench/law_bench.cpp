@@ -7,7 +7,8 @@
 #include <random>
 
 #include "lubjoint/film/batch.hpp"
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/mobility.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/progress.hpp"
@@ -87,6 +88,18 @@ bool is_of_the_paper(const GoldenForce& g) {
          has_moderate_rates(g) && (g.radial != 0 || g.tangential != 0);
 }
 
+/// What a law's pressure is integrated at: where it has a force.
+template <FilmLaw Law>
+bool has_integral(const GoldenForce& g) {
+  return has_moderate_rates(g) && (!SqueezeOnlyLaw<Law> || g.radial != 0);
+}
+
+/// Where a law is compared with a film of finite length: a law of the squeeze alone where there is no wedge.
+template <FilmLaw Law>
+bool has_film_of_the_paper(const GoldenForce& g) {
+  return is_of_the_paper(g) && (!SqueezeOnlyLaw<Law> || g.state[1] == 0);
+}
+
 oracle::FiniteFilm finite_film(FilmExtent extent) {
   if (extent == FilmExtent::full) return oracle::FiniteFilm::finite_full;
   return extent == FilmExtent::half ? oracle::FiniteFilm::finite_half : oracle::FiniteFilm::finite_dynamic;
@@ -157,7 +170,7 @@ std::vector<double> time_closed_forms(int repeats) {
     two_roots_and_a_quotient(timed_rows, positive.epsilon.data(), positive.ex.data(), positive.ey.data(),
                              positive.ux.data(), positive.first.data(), fastest_instruction_set());
   });
-  for_each_film_law([&]<class Law>() {
+  for_each_film_law<StateFilmLaws>([&]<class Law>() {
     add([&] { evaluate_singly<Law>(s, s.first, s.second); });
     add([&] { film_force_ratios(Law::name, FilmStateArrays{s.ex, s.ey, s.ux, s.uy}, s.out()); });
     add([&] { evaluate_singly<Law>(s, wide_first, wide_second); });
@@ -191,6 +204,15 @@ void judge_closed_forms(LawBench& bench, const std::vector<GoldenForce>& golden,
   bench.laws.insert(bench.laws.end(), {scalar, batch, wide});
 }
 
+/// The film whose pressure a law integrates: that of its extent, which a law of the squeeze alone sees at a = 0.
+template <FilmLaw Law>
+std::string_view pressure_of() {
+  if constexpr (!SqueezeOnlyLaw<Law>) return Law::name;
+  const bool is_short = Law::limit == BearingLimit::short_bearing;
+  if (Law::extent == FilmExtent::full) return is_short ? ShortFull::name : LongFull::name;
+  return is_short ? ShortDynamic::name : LongDynamic::name;
+}
+
 /// The pressure solutions.
 template <FilmLaw Law>
 void time_pressures(LawBench& bench, const std::vector<GoldenForce>& golden, const Repeats& repeats) {
@@ -212,15 +234,15 @@ void time_pressures(LawBench& bench, const std::vector<GoldenForce>& golden, con
     }
     return spread;
   };
-  if constexpr (Law::name != "pinkus_sternlicht") {  // no film: the integral of no pressure
-    const auto film = oracle::one_dimensional_film(Law::name);
+  if constexpr (Law::has_pressure) {
+    const auto film = oracle::one_dimensional_film(pressure_of<Law>());
     const auto force = [film](const GoldenForce& g) {
-      const auto f =
-          film_force_by_quadrature(film, bearing_of<double>(g), Lubricant<double>(g.bearing[0]), state_of<double>(g));
+      const auto f = film_force_by_quadrature(film, bearing_of<double>(g), Lubricant<double>(g.bearing[0]),
+                                              state_of_film<Law>(state_of<double>(g)));
       return PolarForce<double>{f.radial.value, f.tangential.value};
     };
-    LawTiming row{law, "quadrature", 0, 0, 0, time_of(repeats.slow, every(64, is_of_the_paper), force)};
-    measure_errors(row, golden, static_cast<std::size_t>(repeats.stride), has_moderate_rates, force);
+    LawTiming row{law, "quadrature", 0, 0, 0, time_of(repeats.slow, every(64, has_film_of_the_paper<Law>), force)};
+    measure_errors(row, golden, static_cast<std::size_t>(repeats.stride), has_integral<Law>, force);
     bench.laws.push_back(row);
   }
   const auto force = [](const GoldenForce& g) {
@@ -228,11 +250,40 @@ void time_pressures(LawBench& bench, const std::vector<GoldenForce>& golden, con
                                        state_of<double>(g));
     return PolarForce<double>{f.radial, f.tangential};
   };
-  const auto states = every(static_cast<std::size_t>(repeats.finites), is_of_the_paper);
+  const auto states = every(static_cast<std::size_t>(repeats.finites), has_film_of_the_paper<Law>);
   LawTiming row{law, "finite_length", 0, 0, 0, time_of(repeats.slow, states, force)};
   const auto is_solved = [&](const GoldenForce& g) { return std::ranges::find(states, &g) != states.end(); };
   measure_errors(row, golden, 1, is_solved, force);
   bench.laws.push_back(row);
+}
+
+/// The inverse, of laws that have one velocity for every force: over random states, the error |M(F(u)) − u| over |u|.
+template <FilmLaw Law>
+void time_mobility(LawBench& bench, const Repeats& repeats) {
+  if constexpr (Law::extent != FilmExtent::half && !SqueezeOnlyLaw<Law>) {
+    RandomStates s(timed_rows);
+    std::vector<Vector2<double>> forces;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < s.rows(); ++i) {
+      const FilmState<double> film({s.ex[i], s.ey[i]}, {s.ux[i], s.uy[i]});
+      forces.push_back(force_ratio<Law>(film));
+      const Vector2<double> u = *mobility<Law>(film.eccentricity, film.q, forces.back()).velocity;
+      errors.push_back((u - film.velocity).norm());
+    }
+    const auto all = [&] {
+      for (std::size_t i = 0; i < s.rows(); ++i) {
+        const Vector2<double> e(s.ex[i], s.ey[i]);
+        const Vector2<double> u = *mobility<Law>(e, one_minus_squared_norm(s.ex[i], s.ey[i]), forces[i]).velocity;
+        s.first[i] = u.x();
+        s.second[i] = u.y();
+      }
+    };
+    const double time = interleaved_medians(repeats.fast, {all}).front() / static_cast<double>(timed_rows);
+    LawTiming row{std::string(Law::name), "mobility", errors.size(), 0, 0, time};
+    row.largest_error = *std::ranges::max_element(errors);
+    row.median_error = median_of(std::move(errors));
+    bench.laws.push_back(row);
+  }
 }
 
 BatchTiming time_batches(std::size_t rows, int repeats) {
@@ -272,13 +323,14 @@ LawBench time_laws(const std::filesystem::path& golden_file, bool quick) {
   const std::vector<GoldenForce> golden = read_golden(golden_file);
   const Repeats repeats = quick ? Repeats{51, 9, 8, 4} : Repeats{301, 21, 1, 16};
   const std::vector<std::size_t> sizes{1'000, 10'000, 100'000, 1'000'000};
-  ProgressBar progress("laws", 1 + film_law_names.size() + sizes.size());
+  ProgressBar progress("laws", 1 + names_of_laws<StateFilmLaws>.size() + sizes.size());
   const std::vector<double> times = time_closed_forms(repeats.fast);
   progress.advance();
   LawBench bench{times[0], {}, {}};
   const double* of_law = &times[1];
-  for_each_film_law([&]<class Law>() {
+  for_each_film_law<StateFilmLaws>([&]<class Law>() {
     judge_closed_forms<Law>(bench, golden, of_law);
+    time_mobility<Law>(bench, repeats);
     time_pressures<Law>(bench, golden, repeats);
     of_law += 3;
     progress.advance();
@@ -319,7 +371,9 @@ std::string law_bench_table(const LawBench& bench) {
   const double batch = find(bench, "pinkus_sternlicht", "batch").nanoseconds;
   const double scalar = find(bench, "pinkus_sternlicht", "scalar").nanoseconds;
   text += fmt::format(
-      "Errors over |F| against the certified values; for finite_length the model error of the law.\n"
+      "Errors over |F| against the certified values; for finite_length the model error of the law, for mobility how "
+      "far\n"
+      "the velocity that carries F(u) is from u.\n"
       "Bound: two square roots and a division, {}: {:.2f} ns. Pinkus-Sternlicht: batch {:.2f} times the bound, scalar "
       "{:.2f} times the batch.\n\n",
       name_of(fastest_instruction_set()), bench.bound, batch / bench.bound, scalar / batch);

@@ -64,10 +64,12 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
   const bool of_few_numbers = quantities == Quantities::dimensionless;
-  const std::vector<State> states = of_film_only || of_few_numbers ? designed_states(quantities) : std::vector<State>();
+  const bool may_be_blind = of_film_only || facts_of(law).squeeze_only;  // a law without a wedge hides mistakes in it
+  const std::vector<State> states =
+      may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
   for (const Mistake& mistake : gallery()) {
     if (!mistake.applies(quantities, law)) continue;
-    if (of_film_only && !shows(quantities, law, states, mistake)) continue;
+    if (may_be_blind && !shows(quantities, law, states, mistake)) continue;
     if (of_few_numbers && !differs(quantities, law, states, mistake, list)) continue;
     list.push_back(&mistake);
   }

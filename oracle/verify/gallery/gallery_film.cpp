@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "oracle/verify/gallery/gallery.hpp"
+#include "oracle/verify/states/film_terms.hpp"
 
 namespace lubjoint::verify {
 
@@ -46,7 +47,7 @@ struct OtherLawWords {
 std::vector<Mistake> other_laws() {
   static const std::vector<OtherLawWords> words = [] {
     std::vector<OtherLawWords> all;
-    for (const std::string_view law : film_law_names) {
+    for (const std::string_view law : law_names) {
       all.push_back({"law_" + std::string(law), "The law is " + std::string(law)});
     }
     return all;
@@ -60,6 +61,9 @@ std::vector<Mistake> other_laws() {
   }
   (std::make_index_sequence<law_count>());
 }
+
+/// Squeeze films that carry pressure on one side alone.
+bool one_sided_squeeze(Quantities, Law law) { return facts_of(law).squeeze_only && !is_full(law); }
 
 /// H = 1 − ε cosθ with the rest unchanged is the law at −ε, and F(−ε, a, b) = −F(ε, −a, −b).
 void negate_ratio(Solution& s) {
@@ -262,6 +266,18 @@ std::vector<Mistake> film_mistakes() {
        "The terms that are odd in ε have the wrong sign; a full film shows nothing",
        [](Quantities, Law law) { return !is_full(law); },
        {{Step::rates, negate_ratio}}},
+      {"closing_film_for_both_signs",
+       "The squeeze film that closes (p > 0 on π/2…3π/2) is used for ε̇ < 0, too",
+       "Wrong for b < 0, where the film hardly resists: too large by any factor as ε → 1; b > 0 is right",
+       one_sided_squeeze,
+       {{Step::terms,
+         [](S& s) {
+           if (!(s.b < 0)) return;
+           S closing = s;
+           closing.b = -s.b;
+           find_terms(closing);
+           s.radial_wedge = -closing.radial_wedge;
+         }}}},
   };
   for (Mistake& each : other_laws()) mistakes.push_back(std::move(each));
   return mistakes;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 
 namespace lubjoint::verify {
 
@@ -89,7 +89,7 @@ Answer by_differences(const State& state, const Solution& s) {
 Answer input_conditioning(const State& state, const Solution& s) {
   if (std::isnan(s.answer[0])) return {};
   if (!is_film_force(s.quantities)) return by_differences(state, s);
-  const double force = with_film_law(name_of(s.law), [&]<class FilmLaw>() {
+  const double force = with_film_law<StateFilmLaws>(name_of(s.law), [&]<class FilmLaw>() {
     return is_polar(s.quantities) ? polar_conditioning<FilmLaw>(s) : plane_conditioning<FilmLaw>(s);
   });
   Answer result{force, force, 0, 0};

@@ -98,7 +98,7 @@ void find_pressure(Solution& s) {
     const LongField here = long_field(s, theta);
     Real field = here.wedge + here.squeeze;
     Real terms = std::abs(here.wedge) + std::abs(here.squeeze);
-    if (s.law == "long_half"_law || s.law == "long_dynamic"_law) {  // zero at both ends: a flow around is added
+    if (s.law == "long_half"_law || s.law == "long_dynamic"_law || s.law == "squeeze_long"_law) {  // zero at both ends: a flow around is added
       const LongField from = long_field(s, s.theta_s), to = long_field(s, s.theta_e);
       const Real start = from.wedge + from.squeeze, end = to.wedge + to.squeeze;
       const Real flow = (flow_integral(s, theta) - flow_integral(s, s.theta_s)) /

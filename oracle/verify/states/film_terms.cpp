@@ -98,6 +98,11 @@ constexpr Formula formulas[] = {
     {"long_half_eq5", long_half_eq5, nothing_hidden},
     {"long_dynamic", dynamic<long_dynamic_by_quadrature>, hidden_in_long_dynamic},
     {"pinkus_sternlicht", pinkus_sternlicht, nothing_hidden},
+    // The films above without their wedge: a is 0.
+    {"squeeze_long_full", long_full, nothing_hidden},
+    {"squeeze_short_full", short_full, nothing_hidden},
+    {"squeeze_long", dynamic<long_dynamic_by_quadrature>, hidden_in_long_dynamic},
+    {"squeeze_short", dynamic<short_dynamic_by_quadrature>, hidden_in_short_dynamic},
 };
 
 /// By the law's place; a law without a formula here does not compile.
@@ -105,7 +110,7 @@ constexpr auto formula_of_law = [] {
   std::array<Formula, law_count> ordered{};
   for (std::size_t i = 0; i < law_count; ++i) {
     const auto* found = std::find_if(std::begin(formulas), std::end(formulas),
-                                     [&](const Formula& each) { return each.law == film_law_names[i]; });
+                                     [&](const Formula& each) { return each.law == law_names[i]; });
     if (found == std::end(formulas)) throw std::logic_error("verify has no formula of a law");
     ordered[i] = *found;
   }

@@ -108,6 +108,7 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
   after(Step::kinematics);
   s.a = s.spin_part + s.attitude_part;
   after(Step::rates);
+  if (facts_of(s.law).squeeze_only) s.a = 0;
   if (quantities == Quantities::extent || quantities == Quantities::pressure) {
     find_extent(s);
     if (quantities == Quantities::pressure) find_pressure(s);

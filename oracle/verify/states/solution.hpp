@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "oracle/verify/states/quantity.hpp"
 
@@ -15,20 +15,22 @@ namespace lubjoint::verify {
 using Real = long double;
 using Plane = Vector2<Real>;
 
-/// A film law, by its place among film_law_names.
+/// A film law, by its place among law_names.
 struct Law {
   std::size_t place = 0;
 
   friend constexpr bool operator==(Law, Law) = default;
 };
-inline constexpr std::size_t law_count = film_law_names.size();
+/// The laws of the film's state alone.
+inline constexpr auto law_names = names_of_laws<StateFilmLaws>;
+inline constexpr std::size_t law_count = law_names.size();
 
 /// @throws std::invalid_argument that lists the laws there are
-constexpr Law law_of(std::string_view name) { return {film_law_index(name)}; }
+constexpr Law law_of(std::string_view name) { return {film_law_index<StateFilmLaws>(name)}; }
 /// The same, of a name that is checked when it is compiled.
 consteval Law operator""_law(const char* name, std::size_t size) { return law_of({name, size}); }
 
-constexpr const LawFacts& facts_of(Law law) { return facts_of_film_laws[law.place]; }
+constexpr const LawFacts& facts_of(Law law) { return facts_of_laws<StateFilmLaws>[law.place]; }
 constexpr std::string_view name_of(Law law) { return facts_of(law).name; }
 constexpr bool is_short(Law law) { return facts_of(law).is_short(); }
 constexpr bool is_full(Law law) { return facts_of(law).extent == FilmExtent::full; }

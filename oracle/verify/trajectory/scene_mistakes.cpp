@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/every_law.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
 namespace lubjoint::verify {
@@ -53,7 +53,7 @@ void add_joint_changes(std::vector<SceneVariant>& list, const Scene& whole, std:
   list.push_back(
       {"the clearance of " + joint.name + " had been doubled", [j](Scene& scene) { scene.joints[j].clearance *= 2; }});
   if (joint.film == no_film) return;
-  for (const std::string_view law : film_law_names) {
+  for (const std::string_view law : names_of_laws<StateFilmLaws>) {
     if (law == joint.film) continue;
     list.push_back({"the law of " + joint.name + " were " + std::string(law),
                     [j, law](Scene& scene) { scene.joints[j].film = law; }});

@@ -92,13 +92,14 @@ bool is_available(InstructionSet set);
 InstructionSet fastest_instruction_set();
 
 /// Forces over the force scale, F/S [1/s].
-/// @param law  one of film_law_names
+/// @param law  any but those of finite length, whose ratio depends on the bearing's L/D
 /// @throws FilmRowError, ForceRowError; std::invalid_argument for an unknown law, arrays of different lengths, an array
 ///         that is written and overlaps another without being it, and an instruction set that is not available
 void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
                        InstructionSet set = fastest_instruction_set());
 
-/// Forces of the film on the journal [N]; errors as of film_force_ratios.
+/// Forces of the film on the journal [N] by any law; errors as of film_force_ratios, and as of require_shape for a
+/// bearing that a law of finite length is not made for.
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const FilmStateArrays& states, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());

@@ -17,11 +17,15 @@ namespace lubjoint {
 /// where wedge and opening meet. Below ε = 0.02 (λ = 1) to 0.06 (λ = ⅛) the wedge pulls outward. Never above λ = 1,
 /// where a₈ changes its sign.
 struct Butenschoen {
-  static constexpr std::string_view name = "butenschoen";            ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;  ///< S = μLR³/c²
-  static constexpr FilmExtent extent = FilmExtent::dynamic;          ///< of the film it stands for
-  static constexpr double longest = 1;                               ///< the table's largest L/D
-  static constexpr double shortest = 0.125;                          ///< the table's smallest L/D
+  static constexpr std::string_view name = "butenschoen";                                ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;                      ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;                              ///< of the film it stands for
+  static constexpr std::string_view words = "finite bearing, Butenschoen's fits added";  ///< for people
+  static constexpr bool has_pressure = false;                                            ///< the force is no integral
+  static constexpr bool kinks = true;                      ///< wedge at a = 0, squeeze at b = 0
+  static constexpr Potential potential = Potential::none;  ///< not even passive
+  static constexpr double longest = 1;                     ///< the table's largest L/D
+  static constexpr double shortest = 0.125;                ///< the table's smallest L/D
 
   /// What to know of a bearing of this shape; empty if there is nothing.
   static std::string warning(double shape) {

@@ -47,6 +47,12 @@ concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
   { Law::extent } -> std::convertible_to<FilmExtent>;
 };
 
+/// A half film: its force jumps where a changes sign, and what it does on either side can be asked for.
+template <class Law>
+concept HalfFilmLaw = PolarLaw<Law> && requires {
+  requires Law::extent == FilmExtent::half;
+};
+
 namespace detail {
 
 template <PolarLaw Law, class T>
@@ -96,8 +102,9 @@ Vector2<T> force_ratio_in_motion(const FilmState<T>& film) {
 /// Value zero, derivatives J du: every law is homogeneous in u, so at u = 0 its derivative in ê vanishes, and the one
 /// in u is a choice of direction, taken as the limit b → 0, a → 0+ (at ê = 0: u → 0 along x, where every law is
 /// isotropic or, for long_half_eq5, linear).
-template <FilmLaw Law, class T>
-Vector2<T> force_ratio_at_rest(const FilmState<T>& film) {
+/// @param in_motion  F/S of any scalar at a state with u ≠ 0
+template <class T, class InMotion>
+Vector2<T> force_ratio_at_rest(const FilmState<T>& film, [[maybe_unused]] const InMotion& in_motion) {
   Vector2<T> ratio(T(0), T(0));
   if constexpr (ScalarTraits<T>::carries_derivatives) {
     using R = RealOf<T>;
@@ -107,7 +114,7 @@ Vector2<T> force_ratio_at_rest(const FilmState<T>& film) {
     if (!is_zero(e_hat)) along = -perpendicular(direction(e_hat));
     const Vector2<Inner> u(Inner::variable(along.x(), 0), Inner::variable(along.y(), 1));
     const Vector2<Inner> e_fixed(Inner(e_hat.x()), Inner(e_hat.y()));
-    const Vector2<Inner> slope = force_ratio_in_motion<Law>(FilmState<Inner>(e_fixed, u, Inner(value_of(film.q))));
+    const Vector2<Inner> slope = in_motion(FilmState<Inner>(e_fixed, u, Inner(value_of(film.q))));
     ratio.x() = slope.x().derivatives().x() * film.velocity.x() + slope.x().derivatives().y() * film.velocity.y();
     ratio.y() = slope.y().derivatives().x() * film.velocity.x() + slope.y().derivatives().y() * film.velocity.y();
   }
@@ -119,7 +126,10 @@ Vector2<T> force_ratio_at_rest(const FilmState<T>& film) {
 /// F/S of a law at any state of the film, u = 0 included [1/s].
 template <FilmLaw Law, class T>
 Vector2<T> force_ratio(const FilmState<T>& film) {
-  if (is_zero(film.velocity)) return detail::force_ratio_at_rest<Law>(film);
+  if (is_zero(film.velocity)) {
+    return detail::force_ratio_at_rest(film,
+                                       [](const auto& state) { return detail::force_ratio_in_motion<Law>(state); });
+  }
   return detail::force_ratio_in_motion<Law>(film);
 }
 

@@ -23,8 +23,9 @@ struct LawFacts {
   BearingLimit limit;      ///< which force scale
   FilmExtent extent;       ///< where its film carries pressure
   bool has_pressure;       ///< is the force the integral of a pressure field?
-  bool kinks;              ///< is it only once differentiable where b changes sign?
+  bool kinks;              ///< is it at most once differentiable where b changes sign?
   bool jumps;              ///< does the force jump where a changes sign?
+  bool squeeze_only;       ///< does it leave the wedge out, so that its film carries nothing that stays in its place?
   Potential potential;     ///< what it derives from
 
   /// Is its scale the short bearing's?

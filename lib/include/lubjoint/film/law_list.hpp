@@ -1,4 +1,5 @@
-/// The laws, by type and by name: a new one is a header of its own and a line in FilmLaws.
+/// The laws whose film carries a journal that turns, by type and by name: a new one is a header of its own and a line
+/// in FilmLaws. every_law.hpp has the other laws, too.
 #pragma once
 
 #include <array>
@@ -17,10 +18,12 @@
 #include "lubjoint/film/short_dynamic.hpp"
 #include "lubjoint/film/short_full.hpp"
 #include "lubjoint/film/short_half.hpp"
+#include "lubjoint/film/squeeze_only.hpp"
 
 namespace lubjoint {
 
-/// The laws that there are, in the order in which they are listed everywhere.
+/// The laws that carry a journal at rest in its place, by the state of the film alone; in the order in which they are
+/// listed everywhere.
 using FilmLaws =
     std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
 
@@ -30,17 +33,24 @@ concept KinkedLaw = requires {
   requires Law::kinks;
 };
 
-/// What each law's header says of it, in the order of FilmLaws.
-inline constexpr auto facts_of_film_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
-  return std::array<LawFacts, sizeof...(Law)>{LawFacts{Law::name, Law::words, Law::limit, Law::extent,
-                                                       Law::has_pressure, KinkedLaw<Law>,
-                                                       Law::extent == FilmExtent::half, Law::potential}...};
-}(std::type_identity<FilmLaws>{});
+/// What each law's header says of it, in the order of a list.
+template <class Laws>
+inline constexpr auto facts_of_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
+  return std::array<LawFacts, sizeof...(Law)>{
+      LawFacts{Law::name, Law::words, Law::limit, Law::extent, Law::has_pressure, KinkedLaw<Law>,
+               Law::extent == FilmExtent::half, SqueezeOnlyLaw<Law>, Law::potential}...};
+}(std::type_identity<Laws>{});
 
 /// Names of the laws of a list, in its order.
 template <class Laws>
 inline constexpr auto names_of_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
   return std::array<std::string_view, sizeof...(Law)>{Law::name...};
+}(std::type_identity<Laws>{});
+
+/// Is a law in a list?
+template <class Law, class Laws>
+inline constexpr bool is_law_of = []<class... Other>(std::type_identity<std::tuple<Other...>>) {
+  return (std::is_same_v<Law, Other> || ...);
 }(std::type_identity<Laws>{});
 
 /// Names of the laws, in the order of FilmLaws.
@@ -75,9 +85,12 @@ constexpr std::size_t film_law_index(std::string_view name) {
   throw std::invalid_argument("there is no law \"" + std::string(name) + "\"; allowed are " + listed_film_laws<Laws>());
 }
 
-/// Accepts the name of a law.
+/// Accepts the name of a law of a list.
 /// @throws std::invalid_argument that lists the laws there are
-inline void require_film_law(std::string_view name) { film_law_index(name); }
+template <class Laws = FilmLaws>
+void require_film_law(std::string_view name) {
+  film_law_index<Laws>(name);
+}
 
 /// Returns `visitor.template operator()<Law>()` for the law of that name: the one place where a name becomes a type.
 /// @throws std::invalid_argument that lists the laws there are

@@ -6,14 +6,15 @@
 /// I₁ = ∫dθ/H over the film that is sheared. Source: the wall shear ∓μωR/h − (h/2R) ∂p/∂θ, integrated (proved in
 /// oracle/proofs); terms of order c/R are left out, as in Reynolds' equation. The power is the dissipation
 /// ∬[μ(ωR)²/h + h³|∇p|²/12μ] where the pressure vanishes at the edges of the film: not so for long_half_eq5 and, having
-/// no pressure field, pinkus_sternlicht, where torques and power hold by their definition.
+/// no pressure field, pinkus_sternlicht, moes_impedance and butenschoen, where torques and power hold by their
+/// definition. Butenschön's own friction is that of the flooded gap.
 #pragma once
 
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "lubjoint/film/law.hpp"
+#include "lubjoint/film/shaped_law.hpp"
 #include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/film/squeeze_only.hpp"
 
@@ -23,14 +24,14 @@ namespace lubjoint {
 enum class ShearedGap { whole, half, dynamic, striated };
 
 /// Does a law have this shear? Striated is for half films.
-template <FilmLaw Law>
+template <AnyFilmLaw Law>
 constexpr bool has_shear(ShearExtent shear) {
   return shear != ShearExtent::striated || Law::extent == FilmExtent::half;
 }
 
 /// The part of the gap that a law's film shears.
 /// @throws std::invalid_argument if the law has not this shear
-template <FilmLaw Law>
+template <AnyFilmLaw Law>
 ShearedGap sheared_gap(ShearExtent shear) {
   if (!has_shear<Law>(shear)) {
     throw std::invalid_argument("shear \"striated\" is not defined for the law " + std::string(Law::name) +
@@ -86,7 +87,7 @@ T couette_integral(const FilmState<T>& film, ShearedGap gap) {
 }
 
 /// The same of a law. @throws std::invalid_argument if the law has not this shear
-template <FilmLaw Law, class T>
+template <AnyFilmLaw Law, class T>
 T couette_integral(const FilmState<T>& film, ShearExtent shear) {
   return couette_integral(state_of_film<Law>(film), sheared_gap<Law>(shear));
 }
@@ -127,7 +128,7 @@ FilmLosses<T> losses_of(const Vector2<T>& force, const FilmState<T>& film, const
 /// Force, torques and power of a film [N, N m, W]; formulas above.
 /// @param relative_spin  ω = ω_J − ω_B [rad/s];  @param shear  which part of the gap is sheared
 /// @throws std::invalid_argument for striated shear of a film that is not a half film
-template <FilmLaw Law, class T>
+template <AnyFilmLaw Law, class T>
 FilmLosses<T> film_losses(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil, const FilmState<T>& film,
                           const T& relative_spin, ShearExtent shear = ShearExtent::film) {
   const T rate = couette_scale(bearing, oil) * couette_integral<Law>(film, shear);
@@ -149,7 +150,7 @@ std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>
 }
 
 /// The same of a law.
-template <FilmLaw Law, class T>
+template <AnyFilmLaw Law, class T>
 std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>& film) {
   return side_flow(bearing, state_of_film<Law>(film), Law::limit, Law::extent);
 }

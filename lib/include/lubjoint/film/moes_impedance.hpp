@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "lubjoint/film/shaped_law.hpp"
 
 namespace lubjoint {
@@ -17,9 +19,12 @@ namespace lubjoint {
 /// Accuracy: a few roundings of the fit. The fit is off the finite film with free onset by up to 3.4 % (ε ≤ 0.5) and
 /// 26 % (ε ≤ 0.9) at L/D = ½, 12 % and 22 % at L/D = 1, 35 % at L/D = 2; its direction by at most 5°.
 struct MoesImpedance {
-  static constexpr std::string_view name = "moes_impedance";                  ///< in scenes and options
-  static constexpr BearingLimit limit = BearingLimit::long_bearing;           ///< S = μLR³/c²
-  static constexpr FilmExtent extent = FilmExtent::dynamic;                   ///< θs…θs + π
+  static constexpr std::string_view name = "moes_impedance";                           ///< in scenes and options
+  static constexpr BearingLimit limit = BearingLimit::long_bearing;                    ///< S = μLR³/c²
+  static constexpr FilmExtent extent = FilmExtent::dynamic;                            ///< θs…θs + π
+  static constexpr std::string_view words = "finite bearing, Moes' impedance, a fit";  ///< for people
+  static constexpr bool has_pressure = false;                                          ///< the force is no integral
+  static constexpr Potential potential = Potential::none;                     ///< nearly: ∂F/∂u is symmetric to 2 %
   static constexpr double longest = std::numeric_limits<double>::infinity();  ///< every L/D, with a warning
 
   /// What to know of a bearing of this shape; empty if there is nothing.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -49,26 +50,54 @@ void require_shape(const R& shape) {
   throw std::invalid_argument(message.str());
 }
 
-/// F/S of a law at any state, u = 0 included [1/s]. @throws std::invalid_argument as require_shape
-template <ShapedFilmLaw Law, class R>
-Vector2<R> shaped_force_ratio(const FilmState<R>& film, const R& shape) {
-  require_shape<Law>(shape);
-  if (is_zero(film.velocity)) return Vector2<R>(R(0), R(0));
-  return detail::in_range_of_rates(film, [&shape](const FilmState<R>& state) -> Vector2<R> {
+namespace detail {
+
+template <ShapedFilmLaw Law, class T>
+Vector2<T> shaped_force_ratio_in_motion(const FilmState<T>& film, const RealOf<T>& shape) {
+  return in_range_of_rates(film, [&shape](const FilmState<T>& state) -> Vector2<T> {
     if constexpr (ShapedPolarLaw<Law>) {
-      const PolarView<R> view = polar_view(state);
-      const PolarForce<R> ratio = Law::force_ratio(view.state, shape);
-      return ratio.radial * view.radial + ratio.tangential * perpendicular(view.radial);
+      const PolarView<T> view = polar_view(state);
+      const PolarForce<T> ratio = Law::force_ratio(view.state, shape);
+      const Vector2<T> t = perpendicular(view.radial);
+      return Vector2<T>(T(ratio.radial * view.radial.x() + ratio.tangential * t.x()),
+                        T(ratio.radial * view.radial.y() + ratio.tangential * t.y()));
     } else {
       return Law::force_ratio(state, shape);
     }
   });
 }
 
-/// Force of the film on the journal [N], in the frame of the state. @throws std::invalid_argument as require_shape
-template <ShapedFilmLaw Law, class R>
-Vector2<R> shaped_film_force(const Bearing<R>& bearing, const Lubricant<R>& oil, const FilmState<R>& film) {
-  return force_scale(Law::limit, bearing, oil) * shaped_force_ratio<Law>(film, length_to_diameter(bearing));
+}  // namespace detail
+
+/// F/S of a law at any state, u = 0 included [1/s]. @throws std::invalid_argument as require_shape
+template <ShapedFilmLaw Law, class T>
+Vector2<T> shaped_force_ratio(const FilmState<T>& film, const RealOf<T>& shape) {
+  require_shape<Law>(shape);
+  if (is_zero(film.velocity)) {
+    return detail::force_ratio_at_rest(
+        film, [&](const auto& state) { return detail::shaped_force_ratio_in_motion<Law>(state, shape); });
+  }
+  return detail::shaped_force_ratio_in_motion<Law>(film, shape);
 }
+
+/// Force of the film on the journal [N], in the frame of the state. @throws std::invalid_argument as require_shape
+template <ShapedFilmLaw Law, class T>
+Vector2<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil, const FilmState<T>& film) {
+  const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+  const Vector2<T> ratio = shaped_force_ratio<Law>(film, length_to_diameter(bearing));
+  return Vector2<T>(T(scale * ratio.x()), T(scale * ratio.y()));
+}
+
+/// The same in polar components.
+template <ShapedFilmLaw Law, class T>
+PolarForce<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
+                         const PolarFilmState<T>& state) {
+  const Vector2<T> force = film_force<Law>(bearing, oil, state.in_own_frame());
+  return {force.x(), force.y()};
+}
+
+/// A law of any kind: force_scale(Law::limit, …) and film_force<Law>(…) are all that a user needs.
+template <class Law>
+concept AnyFilmLaw = FilmLaw<Law> || ShapedFilmLaw<Law>;
 
 }  // namespace lubjoint

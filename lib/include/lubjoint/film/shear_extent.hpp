@@ -8,7 +8,8 @@
 
 namespace lubjoint {
 
-/// film: where the law's film carries pressure (pinkus_sternlicht: the dynamic film's extent);
+/// film: where the law's film carries pressure (pinkus_sternlicht, moes_impedance and butenschoen: the dynamic film's
+/// extent);
 /// flooded: the whole gap, whatever cavitates (Petroff);
 /// striated: behind a half film the cavity carries, in streaks, the oil that left at the minimum film. It takes the
 /// flow to be steady and continuous: half films alone, and an approximation where the journal moves along e.

@@ -18,6 +18,7 @@ struct SqueezeLong {
   static constexpr bool squeeze_only = true;                         ///< the wedge is left out: a is read as 0
   static constexpr std::string_view words = "long bearing, squeeze alone, film where p > 0";  ///< for people
   static constexpr bool has_pressure = true;                 ///< the force is its integral
+  static constexpr bool kinks = true;                        ///< it opens with another resistance than it closes with
   static constexpr Potential potential = Potential::convex;  ///< of the dissipation
 
   /// F/S [1/s], radial and tangential, as above.

@@ -21,14 +21,20 @@ PolarFilmState<T> state_of_film(const PolarFilmState<T>& state) {
   }
 }
 
-/// The same in any frame: u is cut down to its part along ê; at ê = 0 it is all along r.
+/// A state whose u is cut down to its part along ê; at ê = 0 it is all along r.
+template <class T>
+FilmState<T> without_wedge(const FilmState<T>& film) {
+  if (is_zero(film.eccentricity)) return film;
+  const Vector2<T> r = direction(film.eccentricity);
+  const T b = dot(film.velocity, r);
+  return FilmState<T>(film.eccentricity, Vector2<T>(T(b * r.x()), T(b * r.y())), film.q, Unchecked());
+}
+
+/// The same in any frame.
 template <class Law, class T>
 FilmState<T> state_of_film(const FilmState<T>& film) {
   if constexpr (SqueezeOnlyLaw<Law>) {
-    if (is_zero(film.eccentricity)) return film;
-    const Vector2<T> r = direction(film.eccentricity);
-    const T b = dot(film.velocity, r);
-    return FilmState<T>(film.eccentricity, Vector2<T>(T(b * r.x()), T(b * r.y())), film.q, Unchecked());
+    return without_wedge(film);
   } else {
     return film;
   }

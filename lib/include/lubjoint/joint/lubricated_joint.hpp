@@ -17,6 +17,8 @@ struct JumpForce {
 template <FilmLaw Law, class R>
 class LubricatedJoint {
  public:
+  static constexpr bool jumps = HalfFilmLaw<Law>;  ///< where a changes sign
+
   /// Forms the force scale, once.
   LubricatedJoint(const Bearing<R>& bearing, const Lubricant<R>& oil)
       : bearing_(bearing), scale_(lubjoint::force_scale(Law::limit, bearing, oil)) {}
@@ -34,7 +36,7 @@ class LubricatedJoint {
   /// Force of a half film whose side is given, not read off the sign of a: what a solver needs on either side of the
   /// jump at a = 0. Needs u ≠ 0.
   template <class T>
-  requires PolarLaw<Law> Vector2<T> force(const FilmState<T>& film, HalfFilmSide side)
+  requires HalfFilmLaw<Law> Vector2<T> force(const FilmState<T>& film, HalfFilmSide side)
   const {
     if (is_zero(film.velocity)) return scaled(force_ratio<Law>(film));
     const auto on_side = [side](const FilmState<T>& state) {
@@ -46,7 +48,7 @@ class LubricatedJoint {
   /// The half film at ê = ρn and u = βn: there a = 0. ρ < 0 is a journal beyond the centre; smooth across ρ = 0.
   /// @throws FilmDomainError where |ρ| ≥ 1
   template <class T>
-  requires PolarLaw<Law> JumpForce<T> on_jump(const T& rho, const T& beta)
+  requires HalfFilmLaw<Law> JumpForce<T> on_jump(const T& rho, const T& beta)
   const {
     const bool beyond = value_of(rho) < 0;
     const PolarFilmState<T> state(beyond ? T(-rho) : rho, T(0), beyond ? T(-beta) : beta);

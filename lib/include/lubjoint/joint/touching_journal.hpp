@@ -1,7 +1,7 @@
 /// A journal that may leave its film and touch the wall, at any eccentricity.
 #pragma once
 
-#include "lubjoint/film/law.hpp"
+#include "lubjoint/film/shaped_law.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/joint/transition.hpp"
 
@@ -26,7 +26,7 @@ void require_contact(const ContactSurface<R>& surface, const R& impact_speed) {
 /// Source: Flores et al. (2009), eq. 20. Continuous at both seams for every law and velocity: F_dry, too, is zero at
 /// |e| = c.
 /// @param impact_speed  δ̇₀ > 0, the speed at which the journal last crossed |e| = c outwards [m/s]
-template <FilmLaw Law, class T>
+template <AnyFilmLaw Law, class T>
 Vector2<T> touching_journal_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
                                   const TransitionTolerances<RealOf<T>>& tolerances,
                                   const ContactSurface<RealOf<T>>& surface, const JournalMotion<T>& motion,

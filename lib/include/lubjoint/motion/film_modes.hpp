@@ -4,22 +4,24 @@
 /// one side, on the other, and sliding, where both sides push the journal back to a = 0 and the tangential force is
 /// whatever keeps it there (Filippov). Every piece is integrated by itself and ends at an event; nothing is smoothed.
 ///
-/// A mode has: dimension; rate(y, dydt, t) on any scalar, and time_slope(t, slope), its partial derivative by the time;
-/// journal(t, y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
+/// A mode has: dimension; coordinates, how many of its states are places whose rates are states, too; rate(y, dydt, t)
+/// on any scalar (or its own jacobian(y, j)), and time_slope(t, slope), its partial derivative by the time; journal(t,
+/// y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
 #pragma once
 
 #include <array>
 #include <cmath>
 
-#include "lubjoint/multibody/free_journal.hpp"
+#include "lubjoint/multibody/massless_journal.hpp"
 
 namespace lubjoint {
 
 /// The whole motion of a continuous law.
-template <FilmLaw Law>
+template <class Law>
 class SmoothMode {
  public:
   static constexpr std::size_t dimension = 4;     ///< number of states
+  static constexpr std::size_t coordinates = 2;   ///< ê
   static constexpr std::size_t margin_count = 0;  ///< it never ends
 
   /// The journal as it is.
@@ -41,11 +43,45 @@ class SmoothMode {
   const FreeJournal<Law>& journal_;
 };
 
+/// The whole motion of a journal without mass: ê alone.
+template <class Law>
+class MasslessMode {
+ public:
+  static constexpr std::size_t dimension = 2;     ///< number of states
+  static constexpr std::size_t coordinates = 0;   ///< their rates are no states
+  static constexpr std::size_t margin_count = 0;  ///< it never ends
+
+  /// The journal as it is.
+  explicit MasslessMode(const MasslessJournal<Law>& journal) : journal_(journal) {}
+
+  /// Right-hand side.
+  void rate(const std::array<double, 2>& y, std::array<double, 2>& dydt, double) const { journal_.rate(y, dydt); }
+  /// Its derivative.
+  template <class Matrix>
+  void jacobian(const std::array<double, 2>& y, Matrix& j) const {
+    j = journal_.jacobian(y);
+  }
+  void time_slope(double, std::array<double, 2>& slope) const { slope.fill(0); }  ///< time does not enter
+  /// ê and w.
+  JournalState<double> journal(double, const std::array<double, 2>& y) const {
+    std::array<double, 2> w{};
+    journal_.rate(y, w);
+    return {y[0], y[1], w[0], w[1]};
+  }
+  /// On the journal [N]: what carries the load.
+  Vector2<double> force(double, const std::array<double, 2>&) const { return -journal_.drive().load; }
+  std::array<double, 0> margins(double, const std::array<double, 2>&) const { return {}; }  ///< none
+
+ private:
+  const MasslessJournal<Law>& journal_;
+};
+
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
-template <PolarLaw Law>
+template <HalfFilmLaw Law>
 class SidedMode {
  public:
   static constexpr std::size_t dimension = 4;     ///< number of states
+  static constexpr std::size_t coordinates = 2;   ///< ê
   static constexpr std::size_t margin_count = 1;  ///< sign of a
 
   /// The journal, its film on the given side.
@@ -80,10 +116,11 @@ class SidedMode {
 ///   e = c ρ n(t),  n(t) at the angle γ₀ + ω̄(t − t₀),  ρ̈ = ω̄²ρ + (F + W)·n/(m c),
 /// two states ρ and β = ρ̇ in place of four. Staying on a = 0 takes the tangential force Φ = 2 m c ω̄ β − W·n⊥; the
 /// film can give anything in [−X, X], X its tangential force on the converging side. It ends where |Φ| exceeds X.
-template <PolarLaw Law>
+template <HalfFilmLaw Law>
 class SlidingMode {
  public:
   static constexpr std::size_t dimension = 2;     ///< number of states
+  static constexpr std::size_t coordinates = 1;   ///< ρ
   static constexpr std::size_t margin_count = 2;  ///< X − Φ and X + Φ
 
   /// @param t_start  t₀

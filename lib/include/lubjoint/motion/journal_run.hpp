@@ -33,7 +33,7 @@ inline std::string stop_message(RunEnd end, const std::string& joint, double t, 
 
 /// What w is measured against [1/s]: the mean spin, or the rate at which the load moves the journal, be it the film or
 /// inertia that holds it back.
-template <FilmLaw Law>
+template <class Law>
 double rate_scale(const FreeJournal<Law>& journal) {
   const double load = journal.drive().load.norm();
   const double film_rate = load / journal.joint().force_scale();
@@ -43,48 +43,38 @@ double rate_scale(const FreeJournal<Law>& journal) {
 
 }  // namespace detail
 
-/// Runs a free journal.
-template <FilmLaw Law>
-class JournalRun {
+/// What the runs of all journals share: a mode from its start to its end, and what is left of it.
+class ModeRuns {
  public:
-  /// @param method  one of method_names
-  JournalRun(const FreeJournal<Law>& journal, std::string joint_name, std::string method, const RunSettings& settings)
-      : journal_(journal), joint_name_(std::move(joint_name)), settings_(settings), recorder_(settings) {
+  const JournalRecorder& recorder() const { return recorder_; }  ///< what the run has left
+
+ protected:
+  /// @param rate_scale  what velocities are measured against [1/s];  @param method  one of method_names
+  ModeRuns(double rate_scale, std::string joint_name, std::string method, const RunSettings& settings)
+      : joint_name_(std::move(joint_name)), settings_(settings), recorder_(settings), rate_scale_(rate_scale) {
     outcome_.integrator = std::move(method);
   }
 
-  /// @param start  ê and w at t = 0; a state outside the clearance circle is the caller's error
-  RunOutcome run(const JournalState<double>& start) {
-    y_ = start;
+  void begin() {
     t_ = 0;
     dt_ = 1e-6 * settings_.duration;
-    if constexpr (PolarLaw<Law>) {
-      run_half_film();
-    } else {
-      const SmoothMode<Law> mode(journal_);
-      recorder_.start(mode, t_, y_);
-      conclude(mode, integrate(mode, y_), y_);
-    }
-    outcome_.t_end = t_;
-    return outcome_;
   }
-
-  const JournalRecorder& recorder() const { return recorder_; }  ///< what the run has left
-
- private:
-  enum class Phase { converging, mirrored, sliding };
 
   template <class Mode>
   RunResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
     const double position = settings_.absolute_tolerance;
-    const double velocity = position * detail::rate_scale(journal_);
+    const double velocity = position * rate_scale_;
     constexpr std::size_t n = Mode::dimension;
+    constexpr bool is_first_order = Mode::coordinates == 0;
     StepTolerance<double, n> tolerance{settings_.relative_tolerance, {}, settings_.relative_tolerance};
-    for (std::size_t i = 0; i < n; ++i) tolerance.absolute[i] = i < n / 2 ? position : velocity;
+    for (std::size_t i = 0; i < n; ++i) {
+      tolerance.absolute[i] = is_first_order || i < Mode::coordinates ? position : velocity;
+    }
     const auto method = make_integrator<n>(outcome_.integrator, tolerance);
     const std::size_t looks = method->looks_inside();
-    // The quintic's error in an explicit step of higher order may be a hundred tolerances and more.
-    const bool by_steps = !is_stiff_integrator(outcome_.integrator);
+    // The quintic's error in an explicit step of higher order may be a hundred tolerances and more; a motion of first
+    // order has but a cubic.
+    const bool by_steps = is_first_order || !is_stiff_integrator(outcome_.integrator);
     ModeSystem<Mode> system(mode, outcome_.rhs_evaluations);
     const RunResult result =
         EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
@@ -107,6 +97,64 @@ class JournalRun {
     }
     recorder_.finish(mode, t_, y);
   }
+
+  std::string joint_name_;
+  RunSettings settings_;
+  JournalRecorder recorder_;
+  RunOutcome outcome_;
+  double rate_scale_;
+  double t_ = 0;
+  double dt_ = 0;
+};
+
+/// Runs a journal without mass.
+template <class Law>
+class MasslessRun : public ModeRuns {
+ public:
+  /// @param method  one of method_names
+  MasslessRun(const MasslessJournal<Law>& journal, std::string joint_name, std::string method,
+              const RunSettings& settings)
+      : ModeRuns(1, std::move(joint_name), std::move(method), settings), journal_(journal) {}
+
+  /// @param start  ê at t = 0; a place outside the clearance circle is the caller's error
+  RunOutcome run(MasslessState<double> start) {
+    begin();
+    const MasslessMode<Law> mode(journal_);
+    recorder_.start(mode, t_, start);
+    conclude(mode, integrate(mode, start), start);
+    outcome_.t_end = t_;
+    return outcome_;
+  }
+
+ private:
+  const MasslessJournal<Law>& journal_;
+};
+
+/// Runs a free journal. Law: a FilmLaw or ChosenLaw.
+template <class Law>
+class JournalRun : public ModeRuns {
+ public:
+  /// @param method  one of method_names
+  JournalRun(const FreeJournal<Law>& journal, std::string joint_name, std::string method, const RunSettings& settings)
+      : ModeRuns(detail::rate_scale(journal), std::move(joint_name), std::move(method), settings), journal_(journal) {}
+
+  /// @param start  ê and w at t = 0; a state outside the clearance circle is the caller's error
+  RunOutcome run(const JournalState<double>& start) {
+    begin();
+    y_ = start;
+    if constexpr (FilmOf<Law, double>::jumps) {
+      run_half_film();
+    } else {
+      const SmoothMode<Law> mode(journal_);
+      recorder_.start(mode, t_, y_);
+      conclude(mode, integrate(mode, y_), y_);
+    }
+    outcome_.t_end = t_;
+    return outcome_;
+  }
+
+ private:
+  enum class Phase { converging, mirrored, sliding };
 
   // The half films: one mode after another.
 
@@ -204,13 +252,7 @@ class JournalRun {
   }
 
   const FreeJournal<Law>& journal_;
-  std::string joint_name_;
-  RunSettings settings_;
-  JournalRecorder recorder_;
-  RunOutcome outcome_;
   JournalState<double> y_{};
-  double t_ = 0;
-  double dt_ = 0;
 };
 
 }  // namespace lubjoint

@@ -34,19 +34,22 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
     mode_.rate(y, dydt, t);
   }
   void jacobian(const State& y, typename Base::Jacobian& j, const double& t) override {
-    exact_jacobian([this, t](const auto& x, auto& dxdt) { mode_.rate(x, dxdt, t); }, y, j);
+    if constexpr (requires { mode_.jacobian(y, j); }) {
+      mode_.jacobian(y, j);
+    } else {
+      exact_jacobian([this, t](const auto& x, auto& dxdt) { mode_.rate(x, dxdt, t); }, y, j);
+    }
   }
   void time_slope(const State&, State& slope, const double& t) override { mode_.time_slope(t, slope); }
 
-  static constexpr bool watches() { return has_events; }                      ///< whatever the run
-  ModeSystem& equations() { return *this; }                                   ///< of this mode
-  static constexpr std::size_t coordinates() { return Mode::dimension / 2; }  ///< ê or ρ
+  static constexpr bool watches() { return has_events; }                    ///< whatever the run
+  ModeSystem& equations() { return *this; }                                 ///< of this mode
+  static constexpr std::size_t coordinates() { return Mode::coordinates; }  ///< ê or ρ, or none
 
   /// Film exists, and every number is finite.
   bool admissible(double t, const State& y) const {
     if (!std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); })) return false;
-    const JournalState<double> journal = mode_.journal(t, y);
-    const double left = one_minus_squared_norm(journal[0], journal[1]);
+    const double left = film_left(t, y);
     if (left > 1e-14) return true;
     if (!(left > 0)) return false;
     try {
@@ -71,6 +74,16 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   static AfterEvent cross(std::size_t, double, const State&) { return AfterEvent::hand_over; }
 
  private:
+  /// 1 − ε².
+  double film_left(double t, const State& y) const {
+    if constexpr (Mode::coordinates == 0) {  // ê is the state, and velocities are asked for inside the film alone
+      return one_minus_squared_norm(y[0], y[1]);
+    } else {
+      const JournalState<double> journal = mode_.journal(t, y);
+      return one_minus_squared_norm(journal[0], journal[1]);
+    }
+  }
+
   const Mode& mode_;
   std::size_t& evaluations_;
 };

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "lubjoint/joint/lubricated_joint.hpp"
+#include "lubjoint/joint/chosen_film.hpp"
 
 namespace lubjoint {
 
@@ -24,22 +24,22 @@ struct JournalDrive {
 template <class T>
 using JournalState = std::array<T, 4>;
 
-/// ê̇ = w,  ẇ = (F(ê, u) + W)/(m c),  u = w − ½(ω_J + ω_B) ê⊥.
+/// ê̇ = w,  ẇ = (F(ê, u) + W)/(m c),  u = w − ½(ω_J + ω_B) ê⊥. Law: a FilmLaw or ChosenLaw.
 /// Source: Newton's law; Flores et al. (2009), section 7.
-template <FilmLaw Law, class R = double>
+template <class Law, class R = double>
 class FreeJournal {
  public:
   using FilmLawType = Law;  ///< the law of its film
 
   /// @throws std::invalid_argument if the mass is not positive and finite
-  FreeJournal(const LubricatedJoint<Law, R>& joint, const JournalDrive<R>& drive)
+  FreeJournal(const FilmOf<Law, R>& joint, const JournalDrive<R>& drive)
       : joint_(joint), drive_(drive), inertia_(drive.mass * joint.bearing().clearance()) {
     detail::require_positive("mass", drive.mass, "kg");
   }
 
-  const LubricatedJoint<Law, R>& joint() const { return joint_; }  ///< bearing, oil, law
-  const JournalDrive<R>& drive() const { return drive_; }          ///< mass, load, spins
-  const R& inertia() const { return inertia_; }                    ///< m c [kg m]
+  const FilmOf<Law, R>& joint() const { return joint_; }   ///< bearing, oil, law
+  const JournalDrive<R>& drive() const { return drive_; }  ///< mass, load, spins
+  const R& inertia() const { return inertia_; }            ///< m c [kg m]
 
   /// Film state (ê, u) of a state.
   template <class T>
@@ -63,7 +63,7 @@ class FreeJournal {
 
   /// The rate with a half film of the given side.
   template <class T>
-  requires PolarLaw<Law>
+  requires HalfFilmLaw<Law>
   void rate(const JournalState<T>& y, JournalState<T>& dydt, HalfFilmSide side) const {
     fill(y, joint_.force(film(y), side), dydt);
   }
@@ -77,7 +77,7 @@ class FreeJournal {
     dydt[3] = (force.y() + drive_.load.y()) / inertia_;
   }
 
-  LubricatedJoint<Law, R> joint_;
+  FilmOf<Law, R> joint_;
   JournalDrive<R> drive_;
   R inertia_;
 };

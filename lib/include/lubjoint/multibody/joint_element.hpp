@@ -8,10 +8,9 @@
 #include <tuple>
 #include <variant>
 
-#include "lubjoint/film/law_list.hpp"
 #include "lubjoint/film/losses.hpp"
+#include "lubjoint/joint/chosen_film.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
-#include "lubjoint/joint/lubricated_joint.hpp"
 #include "lubjoint/joint/transition.hpp"
 #include "lubjoint/multibody/planar_body.hpp"
 
@@ -22,19 +21,21 @@ template <class R, class Laws>
 struct FilmVariant;
 template <class R, class... Law>
 struct FilmVariant<R, std::tuple<Law...>> {
-  using Type = std::variant<LubricatedJoint<Law, R>...>;
+  using Type = std::variant<LubricatedJoint<Law, R>..., ChosenFilm<R>>;
 };
 }  // namespace detail
 
-/// Any law's film: the law is chosen when the scene is made, and costs one jump a force.
+/// Any law's film: the law is chosen when the scene is made, and costs one jump a force; laws that are not of
+/// law_list.hpp share the last of the films.
 template <class R>
 using AnyFilm = typename detail::FilmVariant<R, FilmLaws>::Type;
 
 /// The film of the law of that name.
-/// @throws std::invalid_argument that lists the laws there are
+/// @throws std::invalid_argument that lists the laws there are, or as ChosenFilm
 template <class R>
 AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil) {
-  return with_film_law(law, [&]<class Law>() { return AnyFilm<R>(LubricatedJoint<Law, R>(bearing, oil)); });
+  return with_film_law<EveryFilmLaw>(
+      law, [&]<class Law>() { return AnyFilm<R>(film_of<RunLaw<Law>, R>(law, bearing, oil)); });
 }
 
 /// Dry contact of a joint.
@@ -105,6 +106,7 @@ struct JointShear {
   ShearedGap gap;      ///< that is sheared
   BearingLimit limit;  ///< of the law: has it a side flow?
   FilmExtent extent;   ///< of the law's film
+  bool squeeze_only;   ///< does the law leave the wedge out?
   Bearing<R> bearing;  ///< of the film: with a transition, of clearance c + e₁
   R torque_scale;      ///< μR³L/c of that bearing [N m s]
 };
@@ -121,8 +123,9 @@ struct JointLosses {
 /// The shear of a law in a bearing. @throws std::invalid_argument if the law has not this shear
 template <class R>
 JointShear<R> make_shear(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil, ShearExtent shear) {
-  return with_film_law(law, [&]<class Law>() {
-    return JointShear<R>{sheared_gap<Law>(shear), Law::limit, Law::extent, bearing, couette_scale(bearing, oil)};
+  return with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+    return JointShear<R>{sheared_gap<Law>(shear), Law::limit, Law::extent,
+                         SqueezeOnlyLaw<Law>,     bearing,    couette_scale(bearing, oil)};
   });
 }
 
@@ -143,7 +146,7 @@ struct JointElement {
 
   /// Does its force jump where a changes sign?
   bool has_half_film() const {
-    const auto jumps = []<class Law>(const LubricatedJoint<Law, R>&) { return PolarLaw<Law>; };
+    const auto jumps = []<class Film>(const Film&) { return Film::jumps; };
     return film && std::visit(jumps, *film);
   }
 
@@ -209,8 +212,8 @@ struct JointElement {
   template <class T>
   JumpForce<T> jump_force(const SlidePlace<T>& place) const {
     return std::visit(
-        [&]<class Law>(const LubricatedJoint<Law, R>& law) -> JumpForce<T> {
-          if constexpr (PolarLaw<Law>) {
+        [&]<class Film>(const Film& law) -> JumpForce<T> {
+          if constexpr (Film::jumps) {
             const R& clearance = law.bearing().clearance();
             return law.on_jump(T(place.along / clearance), T(place.rate / clearance));
           } else {
@@ -260,8 +263,9 @@ struct JointElement {
   FilmState<T> sheared_film(const JournalMotion<T>& motion) const {
     const R& clearance = shear->bearing.clearance();
     const Vector2<T> e_hat = eccentricity_in_clearances(motion, clearance);
-    return FilmState<T>(e_hat, pure_squeeze_velocity(motion, clearance, e_hat),
-                        one_minus_squared_norm<T>(e_hat.x(), e_hat.y()), Unchecked());
+    const FilmState<T> film(e_hat, pure_squeeze_velocity(motion, clearance, e_hat),
+                            one_minus_squared_norm<T>(e_hat.x(), e_hat.y()), Unchecked());
+    return shear->squeeze_only ? without_wedge(film) : film;
   }
 
   template <class T>
@@ -273,9 +277,9 @@ struct JointElement {
   template <class T>
   Vector2<T> film_force(const JournalMotion<T>& motion, FilmSide side) const {
     return std::visit(
-        [&]<class Law>(const LubricatedJoint<Law, R>& law) {
+        [&]<class Film>(const Film& law) {
           const FilmState<T> state = film_state(motion, law.bearing().clearance());
-          if constexpr (PolarLaw<Law>) {
+          if constexpr (Film::jumps) {
             if (side != FilmSide::of_slip) {
               return law.force(state, side == FilmSide::converging ? HalfFilmSide::converging : HalfFilmSide::mirrored);
             }

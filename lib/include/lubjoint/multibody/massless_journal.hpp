@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "lubjoint/film/mobility.hpp"
 #include "lubjoint/multibody/free_journal.hpp"
 
 namespace lubjoint {
@@ -13,29 +12,29 @@ namespace lubjoint {
 template <class T>
 using MasslessState = std::array<T, 2>;
 
-/// Does a law answer every force with one velocity? Half films answer some with two and some with none, squeeze-only
-/// laws with a line of them or with none: they leave the motion open.
-template <FilmLaw Law>
-inline constexpr bool moves_massless_journal = Law::extent != FilmExtent::half && !SqueezeOnlyLaw<Law>;
-
 /// ê̇ = u + ½(ω_J + ω_B) ê⊥,  F(ê, u) = −W.
 /// Source: Booker's mobility method; the limit m → 0 of FreeJournal, which it follows, once the start has died away, to
-/// first order in m.
-template <FilmLaw Law, class R = double>
-requires moves_massless_journal<Law>
+/// first order in m. Law: one that moves_massless_journal, or ChosenLaw, whose film then has_velocity.
+template <class Law, class R = double>
+requires std::is_same_v<Law, ChosenLaw> || moves_massless_journal<Law>
 class MasslessJournal {
  public:
   /// @param drive  its mass is not looked at
-  MasslessJournal(const LubricatedJoint<Law, R>& joint, const JournalDrive<R>& drive)
+  MasslessJournal(const FilmOf<Law, R>& joint, const JournalDrive<R>& drive)
       : joint_(joint), drive_(drive), load_ratio_(-drive.load / joint.force_scale()) {}
 
-  const LubricatedJoint<Law, R>& joint() const { return joint_; }  ///< bearing, oil, law
-  const JournalDrive<R>& drive() const { return drive_; }          ///< load, spins
+  const FilmOf<Law, R>& joint() const { return joint_; }   ///< bearing, oil, law
+  const JournalDrive<R>& drive() const { return drive_; }  ///< load, spins
 
   /// u, the pure-squeeze velocity at which the film carries the load [1/s].
   /// @throws FilmDomainError where ε ≥ 1
   Vector2<R> velocity(const MasslessState<R>& y) const {
-    return *mobility<Law>(Vector2<R>(y[0], y[1]), one_minus_squared_norm<R>(y[0], y[1]), load_ratio_).velocity;
+    const Vector2<R> e_hat(y[0], y[1]);
+    if constexpr (std::is_same_v<Law, ChosenLaw>) {
+      return joint_.velocity(e_hat, Vector2<R>(-drive_.load));
+    } else {
+      return *mobility<Law>(e_hat, one_minus_squared_norm<R>(y[0], y[1]), load_ratio_).velocity;
+    }
   }
 
   /// Right-hand side of the equation above.
@@ -54,7 +53,7 @@ class MasslessJournal {
     const Vector2<R> u = velocity(y);
     const Vector2<D> e_hat(D::variable(y[0], 0), D::variable(y[1], 1));
     const Vector2<D> velocity(D::variable(u.x(), 2), D::variable(u.y(), 3));
-    const Vector2<D> force = force_ratio<Law>(FilmState<D>(e_hat, velocity));
+    const Vector2<D> force = joint_.force(FilmState<D>(e_hat, velocity));
     Eigen::Matrix<R, 2, 4> slopes;
     slopes << force.x().derivatives().transpose(), force.y().derivatives().transpose();
     const Eigen::Matrix<R, 2, 2> by_velocity = slopes.template rightCols<2>();
@@ -65,7 +64,7 @@ class MasslessJournal {
   }
 
  private:
-  LubricatedJoint<Law, R> joint_;
+  FilmOf<Law, R> joint_;
   JournalDrive<R> drive_;
   Vector2<R> load_ratio_;  ///< −W/S
 };

@@ -9,6 +9,8 @@ namespace lubjoint {
 
 // Compiled once, in the scene library: the laws on numbers with and without derivatives, and decompositions.
 extern template class MultibodyOde<double>;
+/// film_functions of double.
+extern template const FilmFunctions<double>& film_functions<double>(std::string_view law);
 /// assemble_start of double.
 extern template StartCorrection<double> assemble_start(const PlanarSystem<double>& system, const double& t,
                                                        const double& length, std::vector<double>& y);

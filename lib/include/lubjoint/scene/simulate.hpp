@@ -46,11 +46,14 @@ struct MultibodyTrajectory {
 /// by its own short path: four states, no constraints.
 bool is_free_journal(const Scene& scene);
 
+/// Is it one whose mass is 0? Its film carries the load at every moment: two states.
+bool is_massless_journal(const Scene& scene);
+
 /// Integrates any scene by constrained equations of motion.
 /// @throws SceneError  constraints that repeat or contradict each other, a journal that starts outside its bearing
 MultibodyTrajectory simulate_multibody(const Scene& scene);
 
-/// Integrates a scene of one free journal.
+/// Integrates a scene of one free journal, with or without mass.
 /// @throws SceneError if the scene is none; std::invalid_argument for an unknown law or integrator
 JournalTrajectory simulate_journal(const Scene& scene);
 
