@@ -65,8 +65,7 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
   const bool of_few_numbers = quantities == Quantities::dimensionless;
   const bool may_be_blind = of_film_only || facts_of(law).squeeze_only;  // a law without a wedge hides mistakes in it
-  const std::vector<State> states =
-      may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
+  const std::vector<State> states = may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
   for (const Mistake& mistake : gallery()) {
     if (!mistake.applies(quantities, law)) continue;
     if (may_be_blind && !shows(quantities, law, states, mistake)) continue;
