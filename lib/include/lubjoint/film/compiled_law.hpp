@@ -31,6 +31,12 @@ concept CompiledLaw = std::constructible_from<Law, const CompiledFilm&> && requi
   { Law::limit } -> std::convertible_to<BearingLimit>;
 };
 
+/// A compiled law that depends on the direction of e at ε = 0, as half films do: it has polar components, too.
+template <class Law>
+concept CompiledPolarLaw = CompiledLaw<Law> && requires(const Law& law, const PolarFilmState<double>& state) {
+  { law.force_ratio(state, HalfFilmSide::converging) } -> std::same_as<PolarForce<double>>;
+};
+
 namespace detail {
 
 /// @throws std::invalid_argument if a table is not one of this law
@@ -112,12 +118,20 @@ Vector2<T> film_force(const Law& law, const Bearing<RealOf<T>>& bearing, const L
   return Vector2<T>(T(scale * ratio.x()), T(scale * ratio.y()));
 }
 
-/// Force of the film on the journal in polar components [N]. @throws std::invalid_argument as above
+/// Force of the film on the journal in polar components [N]; the radial direction is the caller's, also at ε = 0.
+/// @throws std::invalid_argument as above
 template <CompiledLaw Law, class T>
 PolarForce<T> film_force(const Law& law, const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
                          const PolarFilmState<T>& state) {
-  const Vector2<T> force = film_force(law, bearing, oil, state.in_own_frame());
-  return {force.x(), force.y()};
+  if constexpr (CompiledPolarLaw<Law>) {
+    require_shape_of(law, bearing);
+    const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+    const PolarForce<T> ratio = law.force_ratio(state, side_of(state));
+    return {T(scale * ratio.radial), T(scale * ratio.tangential)};
+  } else {
+    const Vector2<T> force = film_force(law, bearing, oil, state.in_own_frame());
+    return {force.x(), force.y()};
+  }
 }
 
 }  // namespace lubjoint
