@@ -15,9 +15,9 @@
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/stress/stress_report.hpp"
 #include "oracle/mechanisms/journal_films.hpp"
-#include "oracle/results/film_resolution.hpp"
 #include "oracle/trajectories/second_derivation.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
+#include "support/stress_scenes.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lubjoint;
@@ -26,33 +26,6 @@ using namespace lubjoint::test;
 using Catch::Contains;
 
 namespace {
-
-std::vector<StressCase> cases_named(const std::set<std::string>& names) {
-  std::vector<StressCase> wanted;
-  for (StressCase& each : stress_cases(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes")) {
-    if (names.count(each.name)) wanted.push_back(std::move(each));
-  }
-  REQUIRE(wanted.size() == names.size());
-  return wanted;
-}
-
-Scene scene_named(const std::string& name) { return cases_named({name}).front().scene; }
-
-const std::filesystem::path measured = std::string(LUBJOINT_SOURCE_DIR) + "/data/measured";
-
-const StressReferences& stored_references() {
-  static const StressReferences references = StressReferences::read(measured);
-  return references;
-}
-
-StressSettings small_settings() {
-  StressSettings settings = stress_settings(true);
-  settings.integrators = {"radau_iia5", "dopri5", "auto"};
-  settings.most_steps = 2000;
-  settings.threads = 2;
-  settings.references = stored_references();
-  return settings;
-}
 
 /// A reference of three output times whose disturbances stay as they are, and a run that has its every sample.
 StressReference invented_reference() {
@@ -244,36 +217,6 @@ TEST_CASE("stress: a warning excuses what creep in a film that thin explains, an
   CHECK(stress_status(true, deviation_of(run, reference, thin), false) == StressStatus::wrong);
 }
 
-TEST_CASE("stress: where a step may change the force by a tenth, a warning says that no digit of it is known") {
-  Scene scene = scene_named("journal-clearance-2mm");
-  // 5τ/2h of 0.099 and 0.101.
-  scene.run.relative_tolerance = scene.run.absolute_tolerance = 0.0396 * 0.5;
-  CHECK_FALSE(leaves_no_digit(scene, 0.5));
-  CHECK_THAT(resolution_warning(scene, scene.joints.front(), 0.5), !Contains("no digit"));
-  scene.run.relative_tolerance = 0.0404 * 0.5;
-  CHECK(leaves_no_digit(scene, 0.5));
-  CHECK_THAT(resolution_warning(scene, scene.joints.front(), 0.5),
-             Contains("no digit of velocities and forces is known") && Contains("Tolerance 1e-04 would resolve it"));
-}
-
-TEST_CASE("multibody: on a half film's jump samples have the force of sliding, whatever the integrator") {
-  // Slow impact in thin oil: the reference slides for most of its time. One side's force is off by up to 0.4 there.
-  Scene scene = with_law(scene_named("impact-slow"), "long_half_eq5");
-  scene.integrator = "dopri5";
-  const StressReference reference = stored_references().of(scene);
-  REQUIRE(reference.whole());
-  const MultibodyTrajectory run = simulate_multibody(scene);
-  REQUIRE(run.samples.size() == reference.rows.size() + 1);
-  std::size_t near = 0;
-  for (std::size_t i = 0; i < reference.rows.size(); ++i) {
-    const Vector2<double> off = run.samples[i + 1].joints.front().force - reference.rows[i].force;
-    if (off.norm() < 5e-3 * reference.force_unit) ++near;  // what tolerances of 1e-6 do to a stiff film
-  }
-  CHECK(near == reference.rows.size());
-  CHECK(!run.slides.empty());
-  CHECK(simulate_multibody(with_law(scene, "long_full")).slides.empty());
-}
-
 TEST_CASE("stop: a tolerance wider than the blend of a contact names both, and a tolerance that would do") {
   Scene scene = scene_named("impact-as-shipped");
   scene.run.relative_tolerance = scene.run.absolute_tolerance = 0.026;  // e0/c is 0.025
@@ -281,27 +224,6 @@ TEST_CASE("stop: a tolerance wider than the blend of a contact names both, and a
              {"joint \"bearing\" meets its wall", "absolute_tolerance of 0.026", "e0/c = 0.025", "a tenth of e0/c"});
   scene.run.relative_tolerance = scene.run.absolute_tolerance = 0.024;
   CHECK(outcome_of(scene, "pinkus_sternlicht", "dopri5").status == RunStatus::finished);
-}
-
-TEST_CASE("multibody: samples inside the long steps of extrapolation are as good as the steps") {
-  StressSettings settings = small_settings();
-  settings.integrators = {"bulirsch_stoer", "fehlberg78"};
-  settings.laws = {"short_full"};
-  for (const StressCell& cell : run_stress(cases_named({"impact-slow"}), settings)) {
-    INFO(cell.integrator << ": " << cell.message);
-    CHECK(cell.status == StressStatus::finished);
-    CHECK(cell.deviation.rate.value_or(1) < 5e-5);  // fifty tolerances; 1e-3 by a quintic through a step's ends
-  }
-}
-
-TEST_CASE("journal: samples inside the long steps of extrapolation are as good as the steps") {
-  StressSettings settings = small_settings();
-  settings.integrators = {"bulirsch_stoer"};
-  settings.laws = {"short_dynamic"};
-  const StressCell cell = run_stress(cases_named({"journal-clearance-2mm"}), settings).front();
-  CHECK(cell.status == StressStatus::finished);
-  CHECK(cell.deviation.place.value_or(1) < 5e-6);  // five tolerances; 1.7e-4 by a quintic through a step's ends
-  CHECK(cell.deviation.rate.value_or(1) < 5e-5);   // fifty; 2.1e-3 by the quintic's derivative
 }
 
 TEST_CASE("stress: a scene without a stored reference runs and counts as unreferenced; changed rows are refused") {
@@ -472,27 +394,6 @@ TEST_CASE("stress: the README's sentence and the stored table say the same, and 
   CHECK_THAT(stress_table({}, cells), Contains("measured by " + cells.front().program));
 }
 
-TEST_CASE("stress: a run further off than its tolerance has warned of that") {
-  StressSettings settings = small_settings();
-  settings.laws = {"short_full"};
-  settings.integrators = {"rosenbrock4"};
-  settings.most_steps = 20'000;  // of the references, which are runs of tighter tolerances
-  // 1e-6 clearances in a film of 2e-5, and a journal that creeps along the wall.
-  const StressCell cell = run_stress(cases_named({"journal-load-1e9N"}), settings).front();
-  CHECK(cell.status == StressStatus::coarse);
-  CHECK(cell.deviation.over_expected > 1);
-  CHECK(cell.deviation.over_warned <= 1);
-  CHECK_THAT(cell.message, Contains("of the thinnest film") && Contains("would resolve it"));
-
-  // Of a free journal's two tolerances the coarser one counts, as in `simulate`.
-  settings.integrators = {"dopri5"};
-  for (const auto tolerance : {&RunSettings::absolute_tolerance, &RunSettings::relative_tolerance}) {
-    auto cases = cases_named({"journal-clearance-2mm"});
-    cases.front().scene.run.*tolerance = 0.9;
-    CHECK_THAT(run_stress(cases, settings).front().message, Contains("tolerance of 9e-01 clearances"));
-  }
-}
-
 TEST_CASE("stress: extrapolation does not jump off the wall where a film that opens lets go") {
   // A first step far too long has the same wrong end, x0 + H f(x0)/2, in every column: no error estimate sees it.
   StressSettings settings = small_settings();
@@ -505,17 +406,6 @@ TEST_CASE("stress: extrapolation does not jump off the wall where a film that op
     CHECK(cell.status == StressStatus::finished);
     CHECK(cell.deviation.place.value_or(1) < 1e-5);  // ten tolerances
     CHECK_THAT(cell.message, Contains("thinnest film"));
-  }
-}
-
-TEST_CASE("stress: samples inside the long steps of stiff runs are as good as the steps") {
-  // A film thousands of times faster than the step: the rate at a step's end is the step's error times its eigenvalue.
-  StressSettings settings = small_settings();
-  settings.integrators = {"radau_iia5", "rosenbrock4"};
-  for (const StressCell& cell : run_stress(cases_named({"journal-mass-1e-6kg", "journal-load-1e6N"}), settings)) {
-    INFO(cell.scenario << ' ' << cell.law << ' ' << cell.integrator << ": " << cell.message);
-    CHECK(cell.status == StressStatus::finished);
-    CHECK(cell.deviation.place.value_or(1) < 1e-3);  // a thousand tolerances; 0.01 to 0.7 by the rates themselves
   }
 }
 

@@ -59,7 +59,7 @@ int simulate(const Scene& scene, const std::optional<double>& after, const std::
     report(scene, run, late_of(scene, run.outcome, after), out, json);
     warn({reports::thin_film_warning(joint, run.min_film_thickness, run.t_max_eccentricity_ratio),
           reports::resolution_warning(scene, joint, reports::thinnest_film(scene, run)),
-          reports::kink_warning(scene, joint, run.outcome.integrator),
+          reports::unseen_warning(scene, joint, run.outcome.integrator),
           reports::model_warning(joint, reports::visited_model_error(scene, run))});
     return run.outcome.status == RunStatus::finished ? 0 : 1;
   }
@@ -71,7 +71,7 @@ int simulate(const Scene& scene, const std::optional<double>& after, const std::
     const Peak& farthest = run.joints[j].eccentricity;
     warn({reports::thin_film_warning(joint, joint.clearance - farthest.value, farthest.t),
           reports::resolution_warning(scene, joint, reports::thinnest_film(scene, j, run)),
-          reports::kink_warning(scene, joint, run.outcome.integrator),
+          reports::unseen_warning(scene, joint, run.outcome.integrator),
           reports::model_warning(joint, reports::visited_model_error(scene, j, run))});
   }
   return run.outcome.status == RunStatus::finished ? 0 : 1;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -6,6 +7,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
+#include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/progress.hpp"
@@ -32,12 +34,35 @@ struct VerifyOptions {
   std::optional<double> tolerance;
   std::string only;
   bool steady = false;
+  std::string language;  ///< of the template to print
   bool list_mistakes = false;
   bool markdown = false;
   bool json = false;
   std::vector<std::string> program;
   std::vector<std::string> given;  ///< names of the options on the command line
 };
+
+/// Adapters for a program of one's own.
+struct Template {
+  std::string_view language;
+  const char* file;
+};
+constexpr std::array templates = {Template{"python", "film.py"},   Template{"octave", "film.m"},
+                                  Template{"c", "film.c"},         Template{"cpp", "film.cpp"},
+                                  Template{"fortran", "film.f90"}, Template{"julia", "film.jl"}};
+
+std::vector<std::string_view> template_languages() {
+  std::vector<std::string_view> names;
+  for (const Template& each : templates) names.push_back(each.language);
+  return names;
+}
+
+int print_template(const std::string& language) {
+  require_name("--template", language, template_languages());
+  const auto* found = std::ranges::find(templates, language, &Template::language);
+  std::cout << reports::read_input((reports::data_folder() / "templates" / found->file).string());
+  return 0;
+}
 
 /// An option that would do nothing is refused.
 void refuse_options_without_effect(const VerifyOptions& o) {
@@ -48,6 +73,7 @@ void refuse_options_without_effect(const VerifyOptions& o) {
     }
   };
   if (o.list_mistakes) return allow("with --list-mistakes", {"--list-mistakes", "--markdown"});
+  if (!o.language.empty()) return allow("with --template", {"--template"});
   if (!o.scene.empty() || !o.trajectory.empty()) {
     return allow("for a trajectory (--scene)",
                  {"--scene", "--trajectory", "--law", "--golden", "--tolerance", "--json"});
@@ -161,6 +187,7 @@ int run(const VerifyOptions& o) {
     std::cout << (o.markdown ? verify::gallery_markdown() : verify::described_gallery());
     return 0;
   }
+  if (!o.language.empty()) return print_template(o.language);
   if (!o.scene.empty() || !o.trajectory.empty()) {
     try {
       return verify_trajectory(o);
@@ -244,6 +271,9 @@ void add_verify(CLI::App& app, Action& action) {
       "--only", options->only,
       "Domain that the program is meant for: conditions such as \"omega_sum > 0, eccentricity_ratio > 0\"");
   command->add_flag("--steady", options->steady, "Steady states alone: no squeeze, no whirl, the bearing at rest");
+  command->add_option("--template", options->language,
+                      "Print an adapter with a place for one's own film force and do no more: python, octave (and "
+                      "MATLAB), c, cpp, fortran or julia");
   command->add_flag("--list-mistakes", options->list_mistakes, "Describe the known mistakes and do no more");
   command->add_flag("--markdown", options->markdown, "The known mistakes as a table");
   command->add_flag("--json", options->json, "One JSON object");

@@ -43,17 +43,24 @@ std::string resolution_warning(const Scene& scene, const SceneJoint& joint, doub
                                    : "No tolerance resolves it in double precision.");
 }
 
-std::string kink_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
+double unseen_error(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
+  if (integrator != "fehlberg78" || joint.film == no_film) return 0;
   const double tolerance = tolerance_of_places(scene);
-  if (integrator != "fehlberg78" || joint.film == no_film || !(tolerance < kink_tolerance)) return {};
-  if (!law_facts(joint.film).kinks) return {};
+  const double touching = joint.contact ? std::min(1e4 * tolerance, 0.1) : 0;
+  const double kinked = law_facts(joint.film).kinks && tolerance < 1e-11 ? 1e-8 : 0;
+  return std::max(touching, kinked);
+}
+
+std::string unseen_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
+  const double unseen = unseen_error(scene, joint, integrator);
+  if (unseen == 0) return {};
   return fmt::format(
-      "warning: the force of {} in joint \"{}\" has a kink where the squeeze changes sign, and {}'s estimate of its "
-      "error "
-      "does not see it: places may be off by {:.0e} clearances, more than the tolerance of {:.0e}. dopri5 and "
-      "radau_iia5 "
-      "keep it.",
-      joint.film, joint.name, integrator, kink_error, tolerance);
+      "warning: {}'s estimate of its error looks at the ends of a step alone, and {} inside it in joint \"{}\": places "
+      "may be off by {:.0e} clearances, more than the tolerance of {:.0e}. dopri5 and radau_iia5 keep it.",
+      integrator,
+      joint.contact ? std::string("film and contact change places")
+                    : fmt::format("the force of {} has a kink where the squeeze changes sign", joint.film),
+      joint.name, unseen, tolerance_of_places(scene));
 }
 
 }  // namespace lubjoint::reports

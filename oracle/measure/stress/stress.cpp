@@ -99,7 +99,7 @@ StressRun run_scene(const Scene& scene) {
     StressRun run = is_free_journal(scene) ? run_journal(scene) : run_multibody(scene);
     const SceneJoint& joint = scene.joints.front();
     for (const std::string& coarse :
-         {resolution_warning(scene, joint, run.thinnest_film), kink_warning(scene, joint, run.outcome.integrator)}) {
+         {resolution_warning(scene, joint, run.thinnest_film), unseen_warning(scene, joint, run.outcome.integrator)}) {
       run.warning += (coarse.empty() || run.warning.empty() ? "" : "; ") + coarse;
     }
     const RunOutcome& outcome = run.outcome;
@@ -143,7 +143,7 @@ StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const Stres
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
-  if (!kink_warning(scene, scene.joints.front(), run.outcome.integrator).empty()) accuracy.kink_error = kink_error;
+  accuracy.unseen = unseen_error(scene, scene.joints.front(), run.outcome.integrator);
   if (is_free_journal(scene)) {
     const double both = scene.run.relative_tolerance + scene.run.absolute_tolerance;
     accuracy.tolerance = std::sqrt(4.0) * std::max(both, tightest_tolerance);
@@ -162,16 +162,16 @@ StressCell make_cell(const StressCase& scenario, const Scene& scene, const std::
                      const StressReference& reference) {
   const StressRun run = run_scene(scene);
   const bool finished = run.outcome.status == RunStatus::finished;
-  StressCell cell{scenario.name,
-                  law,
-                  scene.integrator,
-                  StressStatus::wrong,
-                  deviation_of(run.samples, reference, accuracy_of(scene, run, reference)),
-                  run.seconds,
-                  run.outcome.steps + run.outcome.rejected_steps,
-                  measuring_sources(),
-                  run.outcome.message};
-  if (finished) cell.message = run.warning;
+  StressCell cell;
+  cell.scenario = scenario.name;
+  cell.law = law;
+  cell.integrator = scene.integrator;
+  cell.status = StressStatus::wrong;  // until it is known not to be
+  cell.deviation = deviation_of(run.samples, reference, accuracy_of(scene, run, reference));
+  cell.seconds = run.seconds;
+  cell.steps = run.outcome.steps + run.outcome.rejected_steps;
+  cell.program = measuring_sources();
+  cell.message = finished ? run.warning : run.outcome.message;
   if (run.fault.empty()) cell.status = stress_status(finished, cell.deviation, !run.warning.empty());
   if (!run.fault.empty()) {
     cell.message = run.fault;
@@ -222,8 +222,13 @@ std::vector<StressCell> read_stress_cells(const CsvTable& table) {
       if (text(column).empty()) return std::nullopt;
       return table.number(i, table.column(column));
     };
-    StressCell cell{text("case"),         text("law"),    text("integrator"), StressStatus::wrong, {}, 0, 0,
-                    "an earlier program", text("message")};
+    StressCell cell;
+    cell.scenario = text("case");
+    cell.law = text("law");
+    cell.integrator = text("integrator");
+    cell.status = StressStatus::wrong;  // unless it has another's name
+    cell.program = "an earlier program";
+    cell.message = text("message");
     for (const StressStatus status :
          {StressStatus::finished, StressStatus::coarse, StressStatus::unreferenced, StressStatus::stopped}) {
       if (text("status") == stress_status_name(status)) cell.status = status;

@@ -12,7 +12,8 @@ namespace lubjoint::reports {
 
 namespace {
 
-/// Steps whose errors add up: a run of more is one whose steps are bound by something else than its tolerance.
+/// Steps whose errors add up to as much as the tolerance allows: a run of more is one whose steps are bound by
+/// something else. It rounds in all of them.
 constexpr double steps_that_count = 1000;
 /// A reference is not known better than to what its two methods differ by, and the sum of two such differences may be
 /// larger than either.
@@ -47,9 +48,10 @@ const char* stress_status_name(StressStatus status) {
 }
 
 double expected_error(const StressAccuracy& run, double growth) {
-  const double steps = std::min(static_cast<double>(run.steps), steps_that_count);
+  const auto steps = static_cast<double>(run.steps);
   const double most = std::max(std::min(steps_that_count * run.tolerance, 0.1), 1e-3);
-  return std::min(steps * (run.tolerance + run.rounding) * growth, most);
+  const double of_steps = std::min(steps, steps_that_count) * run.tolerance + steps * run.rounding;
+  return std::min(of_steps * growth, most);
 }
 
 StressDeviation deviation_of(const std::vector<StressSample>& samples, const StressReference& reference,
@@ -78,7 +80,7 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     const double rates = expected * run.rate_share;
     const std::array<double, 3> limits = {expected, rates, rates * row.force_gain};
     constexpr double open = std::numeric_limits<double>::infinity();
-    const double warned_of = expected + run.kink_error * row.growth;
+    const double warned_of = expected + run.unseen * row.growth;
     const bool open_force = run.no_digit || share == 1;
     const std::array<double, 3> warned = {run.no_digit ? 1.0 : std::min(1.0, warned_of + share * way),
                                           run.no_digit ? open : warned_of * run.rate_share + share * (1 + speed),

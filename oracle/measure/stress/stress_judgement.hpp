@@ -36,7 +36,7 @@ struct StressAccuracy {
   std::size_t steps = 0;     ///< accepted
   double rate_share = 1;     ///< over V, what the tolerance of rates refers to; at least 1
   bool no_digit = false;     ///< does its warning say that no digit of velocities and forces is known?
-  double kink_error = 0;     ///< of places that a kink leaves, as its warning says [clearances]
+  double unseen = 0;         ///< error of places that its estimate does not see, as its warning says [clearances]
 };
 
 /// Errors are largest over the output times up to where the run came; none where nothing was compared.
@@ -54,8 +54,9 @@ struct StressDeviation {
 };
 
 /// The error that a tolerance τ lets one expect in a state at an output time: that of so many steps, no more than a
-/// thousand (a stable motion forgets what is older), each grown as disturbances of this motion grow.
-///   E = min(steps, 1000) · (τ + rounding) · growth
+/// thousand (a stable motion forgets what is older, and more are not the tolerance's), and the rounding of all steps,
+/// both grown as disturbances of this motion grow.
+///   E = (min(steps, 1000) · τ + steps · rounding) · growth
 /// and of that no more than a thousand tolerances, at least 1e-3 clearances, at most a tenth: however a motion
 /// amplifies, further off than that it says too little to go unmarked.
 double expected_error(const StressAccuracy& run, double growth);

@@ -123,8 +123,8 @@ std::string stress_table(const std::vector<StressCase>& cases, const std::vector
       "2?: two finished without a reference\n"
       "finished: places, velocities and forces at all output times as near to a stored reference of other methods as "
       "the tolerance lets one expect\n"
-      "coarse: further off, and warned that the tolerance does not resolve the film, or of a kink in the "
-      "force\n\n";
+      "coarse: further off, and warned that the tolerance does not resolve the film, or of what the estimate of a "
+      "step's error does not see\n\n";
   text += fmt::format("{:<32}", "case");
   for (const std::string& name : integrators) {
     text += fmt::format("{:>12}", name == "adams_bashforth_moulton" ? "adams_b_m" : name.substr(0, 11));

@@ -1,7 +1,9 @@
 /// The motion inside a step.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace lubjoint {
 
@@ -9,6 +11,8 @@ namespace lubjoint {
 /// velocities and accelerations at both ends (error of order 6 in the step), velocities by its derivative (order 5),
 /// the rest by the cubic (order 4). Any integrator's steps get the same interpolant, but for those whose rates at the
 /// ends are no accelerations to rely on: there positions are cubic as well.
+/// A derivative of positions has their rounding over the step, up to 15/8 · 2u |q|/h with u the unit roundoff. In a
+/// step so short that the cubic of velocities and accelerations is as near, velocities are that cubic's.
 template <class State>
 struct StepInterpolant {
   using R = typename State::value_type;  ///< of the states
@@ -24,6 +28,7 @@ struct StepInterpolant {
   /// The state at a time inside the step.
   /// @param n  number of coordinates
   void state_at(const R& t, std::size_t n, State& y) const {
+    using std::abs;
     const R h = t_new - t_old;
     const R s = (t - t_old) / h;
     y = y_old;
@@ -45,14 +50,22 @@ struct StepInterpolant {
       const R c4 = -15 * dx + 7 * dv - da;
       const R c5 = 6 * dx - 3 * dv + da / 2;
       y[i] += s * (v0 + s * (a0 / 2 + s * (c3 + s * (c4 + s * c5))));
-      y[n + i] += s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5))) / h;
+      const R of_positions = s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5))) / h;
+      const R of_velocities = cubic(y_new[n + i] - y_old[n + i], h * rate_old[n + i], h * rate_new[n + i], s);
+      const R rounding = 2 * std::numeric_limits<R>::epsilon() * (abs(y_old[i]) + abs(y_new[i])) / h;
+      y[n + i] += abs(of_positions - of_velocities) <= rounding ? of_velocities : of_positions;
     }
     for (std::size_t i = 2 * n; i < y.size(); ++i) {
-      const R v0 = h * rate_old[i];
-      const R dx = (y_new[i] - y_old[i]) - v0;
-      const R dv = h * rate_new[i] - v0;
-      y[i] += s * (v0 + s * ((3 * dx - dv) + s * (dv - 2 * dx)));
+      y[i] += cubic(y_new[i] - y_old[i], h * rate_old[i], h * rate_new[i], s);
     }
+  }
+
+ private:
+  /// The cubic from 0 to dx with slopes v0 and v1, at s.
+  static R cubic(const R& dx, const R& v0, const R& v1, const R& s) {
+    const R over = dx - v0;
+    const R dv = v1 - v0;
+    return s * (v0 + s * ((3 * over - dv) + s * (dv - 2 * over)));
   }
 };
 
