@@ -26,7 +26,7 @@ struct CompilerOptions {
 /// finite_reynolds by the grids that carry its free boundary (cavitated_film.hpp), of which W∥ alone is used. The
 /// stated error is then measured at random states off those points, in all directions and up to ratio_limit: the first
 /// three against the solver of the other family, the axial cosine series (smooth_film.hpp); finite_reynolds against
-/// finer grids, of which W⊥, too, is compared, though the table knows it only as a derivative. It is three times the
+/// finer grids, of which W⊥, too, is compared, though the table knows it only as a derivative. It is five times the
 /// worst difference seen.
 /// @param film   name of a compiled law (compiled_laws.hpp)
 /// @param shape  L/D, within the bounds above
