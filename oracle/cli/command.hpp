@@ -20,6 +20,7 @@ using Action = std::function<int()>;
 
 void add_simulate(CLI::App& app, Action& action);
 void add_force(CLI::App& app, Action& action);
+void add_compile_film(CLI::App& app, Action& action);
 void add_equilibrium(CLI::App& app, Action& action);
 void add_losses(CLI::App& app, Action& action);
 void add_mobility(CLI::App& app, Action& action);

@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_equilibrium(app, action);
   add_coefficients(app, action);
   add_stability(app, action);
+  add_compile_film(app, action);
   add_oracle(app, action);
   add_model_error(app, action);
   add_accuracy(app, action);

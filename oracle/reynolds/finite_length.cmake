@@ -2,6 +2,7 @@
 set(finite_length_sources
   cavitated_film.cpp
   cavitated_grid.cpp
+  circumferential_modes.cpp
   envelope_cholesky.cpp
   finite_length.cpp
   lobatto.cpp

@@ -12,6 +12,7 @@
 
 #include "lubjoint/film/extent.hpp"
 #include "oracle/reynolds/cavitated_film.hpp"
+#include "oracle/reynolds/circumferential_modes.hpp"
 #include "oracle/reynolds/smooth_film.hpp"
 
 namespace lubjoint::oracle {
@@ -96,9 +97,14 @@ FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& b
   result.tolerance_met = true;
   if (scaled.pressure == 0) return result;
   const double tolerance = options.relative_tolerance;
-  const ScaledForce force = film == FiniteFilm::finite_reynolds
-                                ? cavitated_film_force(scaled.film, is_pinned(scaled.film, options.onset), tolerance)
-                                : smooth_film_force(extent_of(film), scaled.film, tolerance);
+  const auto solve = [&] {
+    if (film == FiniteFilm::finite_reynolds) {
+      return cavitated_film_force(scaled.film, is_pinned(scaled.film, options.onset), tolerance);
+    }
+    const bool by_modes = options.method == SmoothFilmMethod::circumferential_modes;
+    return (by_modes ? circumferential_film_force : smooth_film_force)(extent_of(film), scaled.film, tolerance);
+  };
+  const ScaledForce force = solve();
   const double scale = scaled.pressure * bearing.radius() * bearing.radius();
   result.radial = scale * force.value[0];
   result.tangential = scaled.mirror * scale * force.value[1];

@@ -26,9 +26,17 @@ FiniteFilm finite_film_of(std::string_view name);
 /// pinned: the pressure may lie across the maximum film. The other films do not ask.
 enum class FilmOnset { free, maximum_film };
 
+/// How full, half and dynamic films are solved: two solvers that share the equation and no step.
+///   axial_series           harmonics along the axis, spectral elements around it (smooth_film.hpp);
+///   circumferential_modes  eigenfunctions around the film, the axis in closed form (circumferential_modes.hpp): a
+///                          millisecond, but an estimate that grows for ε > 0.999.
+/// The grids of finite_reynolds do not ask.
+enum class SmoothFilmMethod { axial_series, circumferential_modes };
+
 struct FiniteLengthOptions {
   double relative_tolerance = 1e-3;  ///< of the error estimate in |F|, 1e-12 to 0.1
   FilmOnset onset = FilmOnset::free;
+  SmoothFilmMethod method = SmoothFilmMethod::axial_series;
 };
 
 /// A force on the journal with the estimated bounds of its error.

@@ -29,6 +29,7 @@ void add_all(CLI::App& app, cli::Action& action) {
   cli::add_equilibrium(app, action);
   cli::add_coefficients(app, action);
   cli::add_stability(app, action);
+  cli::add_compile_film(app, action);
   cli::add_oracle(app, action);
   cli::add_model_error(app, action);
   cli::add_accuracy(app, action);
