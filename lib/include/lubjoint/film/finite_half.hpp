@@ -40,7 +40,9 @@ class FiniteHalf {
   /// α, β and τ where their series are 1.
   template <class T>
   struct Means {
-    T alpha, beta, tau;
+    T alpha;  ///< of the cross terms
+    T beta;   ///< of the squeeze
+    T tau;    ///< of the wedge
 
     /// @param q  1 − ε²;  @param shape  L/D
     Means(const T& q, const RealOf<T>& shape) {
