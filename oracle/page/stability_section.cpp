@@ -31,7 +31,7 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 std::string cell_of(const StabilityRow* row) {
   if (!row) return "<td class=\"level-none\">·</td>";
   if (row->status == RowStatus::stopped) {
-    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped("stopped: " + row->message));
+    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped(row->message));
   }
   if (row->status == RowStatus::wrong) {
     return fmt::format("<td class=\"level-wrong\" title=\"{}\">!</td>", escaped("wrong: " + row->message));
@@ -45,7 +45,7 @@ std::string cell_of(const StabilityRow* row) {
   while (error > level->bound) ++level;
   // Digits of e/c that are right, at most those of a double.
   const double digits = error > 0 ? std::clamp(std::floor(-std::log10(error)), 0.0, 16.0) : 16.0;
-  const std::string said = row->message.empty() ? "" : ": " + row->message;
+  const std::string said = row->message.empty() ? "" : "; it had warned";  // the data beside the map say of what
   return fmt::format("<td class=\"{}\" title=\"{}\">{:.0f}</td>", level->look,
                      escaped("finished, places off by " + scientific(error) + " c, velocities by " +
                              scientific(row->rate_error.value_or(0)) + " and forces by " +

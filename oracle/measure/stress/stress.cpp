@@ -195,8 +195,8 @@ std::string csv_line(const StressCell& cell) {
   const StressDeviation& d = cell.deviation;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell.scenario, cell.law, cell.integrator,
                      stress_status_name(cell.status), error_field(d.place), error_field(d.rate), error_field(d.force),
-                     d.compared > 0 ? number(d.over_expected) : "", d.compared, number(cell.seconds), cell.steps,
-                     cell.program, cell.message);
+                     d.compared > 0 ? number(d.over_expected) : "", d.compared, number(in_four_digits(cell.seconds)),
+                     cell.steps, cell.program, cell.message);
 }
 
 /// By case, law and integrator.

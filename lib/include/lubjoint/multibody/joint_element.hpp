@@ -263,9 +263,9 @@ struct JointElement {
   FilmState<T> sheared_film(const JournalMotion<T>& motion) const {
     const R& clearance = shear->bearing.clearance();
     const Vector2<T> e_hat = eccentricity_in_clearances(motion, clearance);
-    const FilmState<T> film(e_hat, pure_squeeze_velocity(motion, clearance, e_hat),
-                            one_minus_squared_norm<T>(e_hat.x(), e_hat.y()), Unchecked());
-    return shear->squeeze_only ? without_wedge(film) : film;
+    const FilmState<T> state(e_hat, pure_squeeze_velocity(motion, clearance, e_hat),
+                             one_minus_squared_norm<T>(e_hat.x(), e_hat.y()), Unchecked());
+    return shear->squeeze_only ? without_wedge(state) : state;
   }
 
   template <class T>
