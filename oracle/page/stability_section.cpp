@@ -31,7 +31,8 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 std::string cell_of(const StabilityRow* row) {
   if (!row) return "<td class=\"level-none\">·</td>";
   if (row->status == RowStatus::stopped) {
-    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped(row->message));
+    const char* what = row->message.starts_with("stopped") ? "" : "stopped: ";
+    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped(what + row->message));
   }
   if (row->status == RowStatus::wrong) {
     return fmt::format("<td class=\"level-wrong\" title=\"{}\">!</td>", escaped("wrong: " + row->message));

@@ -39,11 +39,12 @@ Source source_of(Quantities quantities) {
 
 /// Does a row with this law, extent or pressure field answer for the law? Where the field is cut off, only inside.
 bool speaks_for(std::string_view subject, Quantities quantities, Law law, const State& state) {
+  const bool of_field = quantities == Quantities::extent || quantities == Quantities::pressure;
+  if (of_field && facts_of(law).squeeze_only) return false;  // theirs are those of a = 0
   if (quantities == Quantities::extent) {
     return subject == (is_full(law) ? "full" : is_half(law) ? "half" : "dynamic");
   }
   if (quantities != Quantities::pressure) return subject == name_of(law);
-  if (facts_of(law).squeeze_only) return false;  // their fields are those of a = 0
   std::string_view field = name_of(law);  // long_half and long_dynamic have their own
   if (is_short(law)) field = "short";
   if (law == "long_full"_law || law == "long_half_eq5"_law) field = "long_eq5";
