@@ -36,9 +36,11 @@ class SingularWatch {
   using State = std::vector<R>;                          ///< (q, q̇, work)
   using Step = std::shared_ptr<const MultibodyStep<R>>;  ///< an accepted one
 
-  /// @param tolerance  relative, of the run: s is known to ten of it, and to 1e-4 at best
+  /// @param tolerance  relative, of the run: s is known to ten of it, and to 1e-4 at best. Above 1e-3 it says too
+  /// little
+  ///   for a verdict: a coarser run may pass a singular position unnoticed, and is never stopped at what is none
   SingularWatch(MultibodyOde<R>& ode, double tolerance)
-      : ode_(ode), close_(std::max(1e-4, 10 * tolerance)), watches_(ode.system().constraint_rows() > 1) {}
+      : ode_(ode), close_(std::clamp(10 * tolerance, 1e-4, 1e-3)), watches_(ode.system().constraint_rows() > 1) {}
 
   /// The start of the run.
   void start(const R& t, const State& y) {
