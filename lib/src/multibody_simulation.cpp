@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "choose_integrator.hpp"
+#include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/motion/multibody_run.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
@@ -77,8 +79,15 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
     choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
-  MultibodyRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
-                           upkeep_of(scene));
+  auto method = method_of(choice.name, scene.run, scene_tolerances<double>(scene));
+  if (std::getenv("LJ_IND")) {
+    method = std::make_unique<IndependentIntegrator<double>>(
+        ode, StepTolerance<double, run_time_size>{0, scene_tolerances<double>(scene), scene.run.relative_tolerance},
+        [name = choice.name](const StepTolerance<double, run_time_size>& tolerance) {
+          return make_integrator<run_time_size>(name, tolerance);
+        });
+  }
+  MultibodyRun<double> run(ode, scene.run, std::move(method), upkeep_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();

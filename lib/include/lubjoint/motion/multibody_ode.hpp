@@ -37,6 +37,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   /// Number of states.
   std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? ledger_terms : 0); }
   std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
+  void count_evaluation() { ++evaluations_; }               ///< of the same in other coordinates
 
   /// Memories of the joints; empty where nothing can touch and no film jumps.
   std::vector<JointMemory<R>>& memory() { return memory_; }
@@ -70,18 +71,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
     return sum;
   }
 
- private:
-  template <class T, class Time>
-  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
-    system_.evaluate(t, y.data(), memory_, w);
-    const std::size_t n = system_.coordinates();
-    for (std::size_t i = 0; i < n; ++i) {
-      dydt[i] = y[n + i];
-      dydt[n + i] = w.accelerations[i];
-    }
-    if (with_ledger_) fill_powers(y, w, &dydt[2 * n]);
-  }
-
+  /// Power of each term of the ledger at a state that w was evaluated at.
   template <class T>
   void fill_powers(const std::vector<T>& y, const SystemWorkspace<T>& w, T* power) const {
     const std::size_t n = system_.coordinates();
@@ -106,6 +96,18 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
         add(term, T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
       }
     }
+  }
+
+ private:
+  template <class T, class Time>
+  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
+    system_.evaluate(t, y.data(), memory_, w);
+    const std::size_t n = system_.coordinates();
+    for (std::size_t i = 0; i < n; ++i) {
+      dydt[i] = y[n + i];
+      dydt[n + i] = w.accelerations[i];
+    }
+    if (with_ledger_) fill_powers(y, w, &dydt[2 * n]);
   }
 
   const PlanarSystem<R>& system_;

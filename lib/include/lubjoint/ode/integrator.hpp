@@ -72,6 +72,10 @@ class Integrator {
   /// The state was replaced by one close to it (projection): memory of the steps is kept if it can be.
   virtual void replace_state(const State&) { reset(); }
 
+  /// Of an implicit method: the first so many states move at their rates whatever the others do, and a search for the
+  /// stages that begins anew moves them along.
+  virtual void move_first_states(std::size_t) {}
+
   /// Another one with the same tolerances and no memory.
   virtual std::unique_ptr<Integrator> fresh() const = 0;
 

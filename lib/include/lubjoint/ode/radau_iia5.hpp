@@ -76,6 +76,11 @@ class RadauIIA5 {
   /// matter, such as a coordinate of 0.1 m in which a clearance of 0.1 mm is at stake.
   void use_absolute_tolerance_only() { relative_part_ = R(0); }
 
+  /// Begins the search for the stages of a first step, and of one after a failure, with the first so many states moved at
+  /// their rates. Without it they begin where the step does: as well, unless what moves by itself (a driven crank) then
+  /// leaves them behind.
+  void move_first_states(std::size_t count) { moving_ = static_cast<Index>(count); }
+
   /// Replaces the state after a step by one close to it, and keeps step length and history.
   void replace_state(const state_type& x) {
     x_ = x;
@@ -290,7 +295,12 @@ class RadauIIA5 {
   /// First guess of the stages: the last step's collocation polynomial, continued.
   void start_stages(const R& h) {
     if (!has_old_step_ || last_failed_) {
-      for (Vector& z : z_) z.setZero();
+      Index stage = 0;
+      for (Vector& z : z_) {
+        z.setZero();
+        if (moving_ > 0) z.head(moving_) = tableau_.c(stage) * h * f_.head(moving_);
+        ++stage;
+      }
       return;
     }
     Index stage = 0;
@@ -378,6 +388,7 @@ class RadauIIA5 {
   bool jacobian_is_usable_ = false;
   bool jacobian_is_of_this_state_ = false;
   int iterations_ = 0;
+  Index moving_ = 0;  ///< states that move_first_states means
   state_type x_{};
   R t_ = 0;
   Vector scale_;

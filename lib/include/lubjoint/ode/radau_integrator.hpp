@@ -27,6 +27,7 @@ class RadauIntegrator final : public Integrator<R, N> {
   }
   void reset() override { stepper_.reset(); }
   void replace_state(const State& y) override { stepper_.replace_state(y); }
+  void move_first_states(std::size_t count) override { stepper_.move_first_states(count); }
   std::unique_ptr<Integrator<R, N>> fresh() const override { return std::make_unique<RadauIntegrator>(tolerance_); }
   void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
   std::size_t looks_inside() const override { return 8; }  // its steps are long
