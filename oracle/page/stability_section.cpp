@@ -48,9 +48,9 @@ std::string cell_of(const StabilityRow* row) {
   const double digits = error > 0 ? std::clamp(std::floor(-std::log10(error)), 0.0, 16.0) : 16.0;
   const std::string said = row->message.empty() ? "" : "; it had warned";  // the data beside the map say of what
   return fmt::format("<td class=\"{}\" title=\"{}\">{:.0f}</td>", level->look,
-                     escaped("finished, places off by " + scientific(error) + " c, velocities by " +
-                             scientific(row->rate_error.value_or(0)) + " and forces by " +
-                             scientific(row->force_error.value_or(0)) + " of their own size" + said),
+                     escaped("finished, off by " + scientific(error) + " c, of velocity by " +
+                             scientific(row->rate_error.value_or(0)) + ", of force by " +
+                             scientific(row->force_error.value_or(0)) + said),
                      digits);
 }
 
