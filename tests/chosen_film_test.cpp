@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "lubjoint/film/batch.hpp"
+#include "lubjoint/film/losses.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
+#include "lubjoint/scene/journal_losses.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
@@ -112,14 +114,44 @@ TEST_CASE("scenes: laws of the squeeze alone and of finite length run, by both e
 TEST_CASE("scenes: friction of a squeeze film is that of the film of the squeeze, in both engines") {
   for (const std::string law : {"squeeze_short", "squeeze_long_full", "moes_impedance", "butenschoen"}) {
     INFO(law);
-    const Scene scene = squat_scene(law);
+    Scene scene = squat_scene(law);
+    scene.run.duration = 0.01;
+    scene.run.output_interval = 0.002;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-10;
+    scene.bodies[0].position = {5e-5, 2e-5};
+    scene.bodies[0].velocity = {-1e-4, 0.02};  // mostly along the wall: what a squeeze film leaves out
+    scene.bodies[0].spin_is_held = true;
+    scene.joints[0].shear = ShearExtent::film;
     const SceneJoint& joint = scene.joints[0];
     const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
-    const JointShear<double> shear =
-        make_shear<double>(law, bearing, Lubricant<double>(joint.viscosity), ShearExtent::film);
-    CHECK(shear.squeeze_only == law.starts_with("squeeze"));
+    const Lubricant<double> lubricant(joint.viscosity);
+    const JournalTrajectory alone = simulate_journal(scene);
+    scene.energy_ledger = true;  // the engine of mechanisms
+    const MultibodyTrajectory general = simulate_multibody(scene);
+    REQUIRE(alone.outcome.status == RunStatus::finished);
+    REQUIRE(general.outcome.status == RunStatus::finished);
+    REQUIRE(alone.samples.size() == general.samples.size());
+    for (std::size_t i = 0; i < alone.samples.size(); ++i) {
+      const auto& y = alone.samples[i].state;
+      const double half_sum = scene.bodies[0].spin / 2;
+      const FilmState<double> film(Vec(y[0], y[1]), Vec(y[2] + half_sum * y[1], y[3] - half_sum * y[0]));
+      const FilmLosses<double> own = with_film_law<EveryFilmLaw>(
+          law, [&]<class Law>() { return film_losses<Law>(bearing, lubricant, film, scene.bodies[0].spin); });
+      // The two runs keep 1e-10 a step, and a torque follows a thin film's rates.
+      CHECK(*general.samples[i].joints[0].losses.torque_journal == Approx(own.torque_journal).epsilon(1e-6));
+      CHECK(*journal_losses(scene, alone.samples[i]).torque_journal == Approx(own.torque_journal).epsilon(1e-12));
+    }
   }
   CHECK_THROWS_WITH(make_shear<double>("squeeze_short", squat, oil, ShearExtent::striated), Contains("squeeze_short"));
+}
+
+TEST_CASE("shaped laws: polar forces have the caller's radial direction, at the centre as beside it") {
+  const PolarFilmState<double> centre(0.0, 1.0, 0.5);
+  const PolarFilmState<double> beside(1e-12, 1.0, 0.5);
+  const PolarForce<double> at = film_force<Butenschoen>(squat, oil, centre);
+  const PolarForce<double> near = film_force<Butenschoen>(squat, oil, beside);
+  CHECK(at.radial == Approx(near.radial).epsilon(1e-10));  // a hundred times the distance
+  CHECK(at.tangential == Approx(near.tangential).epsilon(1e-10));
 }
 
 TEST_CASE("scenes: what a law can't do is said by name: equilibrium, and shapes it is not made for") {

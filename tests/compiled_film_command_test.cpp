@@ -35,7 +35,7 @@ CompiledFilm quick_film() {
 TEST_CASE("force: a finite film's law answers as the oracle does, states its error, and warns beyond it") {
   const TemporaryFolder cache;
   const std::map<std::string, std::string> here = {{"XDG_CACHE_HOME", cache.path().string()}};
-  for_each_compiled_law([&]<class Law>() {
+  for_each_film_law<CompiledLaws>([&]<class Law>() {
     INFO(Law::name);
     const ProgramResult compiled = lubjoint_program(force(Law::name, "0.04"), {.input = states, .environment = here});
     REQUIRE(compiled.status == 0);

@@ -44,7 +44,7 @@ Law shipped(const std::string& shape) {
 /// Calls check(law) for every shipped law of a bearing.
 template <class Check>
 void for_each_shipped(const std::string& shape, const Check& check) {
-  for_each_compiled_law([&]<class Law>() {
+  for_each_film_law<CompiledLaws>([&]<class Law>() {
     INFO(Law::name << ", L/D " << shape);
     check(shipped<Law>(shape));
   });
@@ -271,6 +271,12 @@ TEST_CASE("compiled films: files read back to the bit, and nothing damaged or fo
   CompiledFilm infinite = film;
   infinite.coefficients[3] = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(FiniteHalf(infinite), Catch::Contains("not finite"));
+  CompiledFilm unmeasured = film;
+  unmeasured.ratio_limit = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(FiniteHalf(unmeasured), Catch::Contains("eccentricity ratio nan"));
+  unmeasured = film;
+  unmeasured.error = -1e-9;
+  CHECK_THROWS_WITH(FiniteHalf(unmeasured), Catch::Contains("the error -1e-09"));
   CHECK_THROWS_WITH(reports::compile_film("finite_full", 11), Catch::Contains("0.05"));
   CHECK_THROWS_WITH(reports::compile_film("finite", 1), Catch::Contains("finite_full, finite_half"));
 }

@@ -89,7 +89,7 @@ TEST_CASE("contact of a cylinder: Liu, Zhang and Yang's force at any depth, in p
     CHECK(pressed(depth, surface) == Approx(printed).epsilon(1e-15 + 1e-19 / depth));
   }
   CHECK(cylinder_contact_stiffness(2 * length, clearance, steel, steel) == 2 * surface.stiffness);
-  // The point form does not know of a length; it has 3/8 √(R_B R_J)/L·8/π of the cylinder's, here a third.
+  // The point form does not know of a length; it has 8√2/(3π) √(R_B R_J)/L of the cylinder's, here 0.297.
   const ContactSurface<double> point{contact_stiffness(0.0098, clearance, steel, steel), 0.5};
   CHECK(point.stiffness / surface.stiffness ==
         Approx(8 * std::sqrt(2.0) * std::sqrt(0.01 * 0.0098) / (3 * std::numbers::pi * length)).epsilon(1e-14));
@@ -107,7 +107,8 @@ TEST_CASE("contact forms in scenes: another force, the same rebound; what is not
     // Of a free impact, whatever the force: tolerance × stiffness.
     CHECK(std::abs(-run->events[1].normal_speed / (0.7 * rebound_ratio(0.5)) - 1) < 1e-7);
   }
-  CHECK(cylinder.joints[0].force.value > 1.2 * point.joints[0].force.value);
+  // The largest force goes with K^{2/5}, as below: 0.297^{-2/5} = 1.62, less what the enclosing bush takes.
+  CHECK(cylinder.joints[0].force.value > 1.5 * point.joints[0].force.value);
   const MultibodyTrajectory longer = run_of("form = \"cylinder\"", "length = 0.08");
   // K δ^{5/2} ~ energy: the largest force goes with K^{2/5}, but for the enclosing bush.
   CHECK(longer.joints[0].force.value / cylinder.joints[0].force.value == Approx(std::pow(2, 0.4)).epsilon(0.02));

@@ -134,15 +134,21 @@ TEST_CASE("unseen: Fehlberg's estimate misses what happens inside its steps of a
     }
     return largest;
   };
-  const auto warning = [&](const char* integrator) { return unseen_warning(scene, scene.joints.front(), integrator); };
+  double thinnest = scene.joints.front().transition->e1 / scene.joints.front().clearance;  // of a run that touches
+  const auto warning = [&](const char* integrator) {
+    return unseen_warning(scene, scene.joints.front(), integrator, thinnest);
+  };
   for (const double tolerance : {1e-6, 1e-8}) {
     scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
     const double unseen = error("fehlberg78");
     CHECK(unseen > 100 * error("dopri5"));  // which sees it
-    CHECK(unseen < unseen_error(scene, scene.joints.front(), "fehlberg78"));
+    CHECK(unseen < unseen_error(scene, scene.joints.front(), "fehlberg78", thinnest));
     CHECK_THAT(warning("fehlberg78"), Contains("film and contact change places"));
     CHECK(warning("dopri5").empty());
   }
+
+  thinnest += 1e-6;
+  CHECK(warning("fehlberg78").empty());  // of one that does not
 
   // A kink costs the tightest tolerances alone.
   scene = with_law(scene_named("journal-tolerance-1e-14"), "pinkus_sternlicht");

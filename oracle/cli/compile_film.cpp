@@ -49,7 +49,7 @@ struct CompileOptions {
 
 int compile(const CompileOptions& options) {
   std::vector<std::string_view> names;
-  for_each_compiled_law([&]<class Law>() { names.push_back(Law::name); });
+  for_each_film_law<CompiledLaws>([&]<class Law>() { names.push_back(Law::name); });
   require_name("--film", options.film, names);
   const double shape = options.length_to_diameter();
   if (options.tolerance) {

@@ -57,14 +57,15 @@ std::size_t compiled_forces(const Law& law, const CompiledFilm& film, reports::C
 
 void answer_with_compiled_law(const std::string& name, const std::string& states_file, const Bearing<double>& bearing,
                               const Lubricant<double>& oil) {
-  const double shape = bearing.length() / (2 * bearing.radius());
+  const double shape = length_to_diameter(bearing);
   require_option("--length over twice --radius", shape,
                  shape >= reports::least_compiled_shape && shape <= reports::largest_compiled_shape,
                  fmt::format("a number from {} to {} with {}", reports::least_compiled_shape,
                              reports::largest_compiled_shape, name));
-  const CompiledFilm film = film_for_user(name, shape);
+  CompiledFilm film;
   std::size_t beyond = 0;
   answer_stream("force", states_file, [&](reports::CsvStream& states, const auto& write) {
+    film = film_for_user(name, shape);  // once there are states: it may take a minute
     with_compiled_law(film, [&](const auto& law) { beyond = compiled_forces(law, film, states, bearing, oil, write); });
   });
   std::cerr << stated_error(film) << '\n';
@@ -78,7 +79,7 @@ void answer_with_compiled_law(const std::string& name, const std::string& states
 /// Names of all laws, compiled ones last.
 std::vector<std::string_view> names_of_all_laws() {
   std::vector<std::string_view> names(names_of_laws<EveryFilmLaw>.begin(), names_of_laws<EveryFilmLaw>.end());
-  for_each_compiled_law([&]<class Law>() { names.push_back(Law::name); });
+  for_each_film_law<CompiledLaws>([&]<class Law>() { names.push_back(Law::name); });
   return names;
 }
 

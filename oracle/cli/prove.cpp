@@ -50,8 +50,7 @@ reports::page::ProofLedger stored_ledger(const std::vector<proofs::ProofResult>&
   reports::page::ProofLedger ledger{reports::proof_sources(), {}};
   ledger.statements.reserve(results.size());
   for (const proofs::ProofResult& each : results) {
-    ledger.statements.push_back(
-        {each.group, each.statement, each.source, proofs::verdict(each), each.as_expected()});
+    ledger.statements.push_back({each.group, each.statement, each.source, proofs::verdict(each), each.as_expected()});
   }
   return ledger;
 }
@@ -76,10 +75,13 @@ void add_prove(CLI::App& app, Action& action) {
   command->callback([json, store, &action] {
     action = [json, store] {
       std::optional<reports::ProgressBar> bar;
-      return run_prove(*json, std::cout, [&bar](const proofs::ProofResult&, std::size_t, std::size_t total) {
-        if (!bar) bar.emplace("proofs", total);
-        bar->advance();
-      }, *store);
+      return run_prove(
+          *json, std::cout,
+          [&bar](const proofs::ProofResult&, std::size_t, std::size_t total) {
+            if (!bar) bar.emplace("proofs", total);
+            bar->advance();
+          },
+          *store);
     };
   });
 }

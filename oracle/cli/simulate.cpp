@@ -25,7 +25,7 @@ struct Output {
   bool json = false;
 };
 
-/// Trajectory and plots to files if asked for, summary to standard output.
+/// Trajectory to a file if asked for, summary to standard output.
 template <class Trajectory>
 void report(const Scene& scene, const Trajectory& run, const std::optional<reports::LateExtremes>& late,
             const Output& output) {
@@ -33,11 +33,6 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<repor
     const auto file = std::filesystem::path(*output.folder) / (scene.name + ".csv");
     reports::write_file(file, reports::trajectory_csv(scene, run));
     std::cerr << "trajectory written to " << file.string() << '\n';
-  }
-  if (output.plot) {
-    std::string files;
-    for (const std::string& name : reports::write_run_plots(scene, run, *output.folder)) files += " " + name;
-    std::cerr << "plots:" << files << '\n';
   }
   if (output.json) {
     nlohmann::ordered_json summary = reports::summary_json(scene, run);
@@ -47,6 +42,15 @@ void report(const Scene& scene, const Trajectory& run, const std::optional<repor
     std::cout << reports::summary_text(scene, run);
     if (late) std::cout << reports::late_extremes_text(scene, *late);
   }
+}
+
+/// Last of all: gnuplot may be missing or fail, and the run is not to be lost.
+template <class Trajectory>
+void plot(const Scene& scene, const Trajectory& run, const Output& output) {
+  if (!output.plot) return;
+  std::string files;
+  for (const std::string& name : reports::write_run_plots(scene, run, *output.folder)) files += " " + name;
+  std::cerr << "plots:" << files << '\n';
 }
 
 void warn(const std::vector<std::string>& warnings) {
@@ -72,11 +76,13 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
     const JournalTrajectory run = simulate_journal(scene);
     const SceneJoint& joint = scene.joints[0];
     report(scene, run, late_of(scene, run.outcome, after), output);
+    const double thinnest = reports::thinnest_film(scene, run);
     warn({reports::thin_film_warning(joint, run.min_film_thickness, run.t_max_eccentricity_ratio),
           reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, run)),
-          reports::resolution_warning(scene, joint, reports::thinnest_film(scene, run)),
-          reports::unseen_warning(scene, joint, run.outcome.integrator),
+          reports::resolution_warning(scene, joint, thinnest),
+          reports::unseen_warning(scene, joint, run.outcome.integrator, thinnest),
           reports::model_warning(joint, reports::visited_model_error(scene, run))});
+    plot(scene, run, output);
     return run.outcome.status == RunStatus::finished ? 0 : 1;
   }
   const MultibodyTrajectory run = simulate_multibody(scene);
@@ -85,12 +91,14 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     const Peak& farthest = run.joints[j].eccentricity;
+    const double thinnest = reports::thinnest_film(scene, j, run);
     warn({reports::thin_film_warning(joint, joint.clearance - farthest.value, farthest.t),
           reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, j, run)),
-          reports::resolution_warning(scene, joint, reports::thinnest_film(scene, j, run)),
-          reports::unseen_warning(scene, joint, run.outcome.integrator),
+          reports::resolution_warning(scene, joint, thinnest),
+          reports::unseen_warning(scene, joint, run.outcome.integrator, thinnest),
           reports::model_warning(joint, reports::visited_model_error(scene, j, run))});
   }
+  plot(scene, run, output);
   return run.outcome.status == RunStatus::finished ? 0 : 1;
 }
 

@@ -1,7 +1,6 @@
 #include "oracle/cli/command_line.hpp"
 
 int main(int argc, char** argv) {
-  return lubjoint::cli::run_program(argc, argv, [](CLI::App& app, lubjoint::cli::Action& action) {
-    lubjoint::cli::add_verify(app, action);
-  });
+  return lubjoint::cli::run_program(
+      argc, argv, [](CLI::App& app, lubjoint::cli::Action& action) { lubjoint::cli::add_verify(app, action); });
 }

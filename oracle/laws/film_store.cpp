@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raised whenever a table of the same law and L/D would come out otherwise.
-constexpr int version = 1;
+constexpr int version = 2;
 constexpr std::string_view ending = ".txt";
 
 /// L/D of two bearings that are the same to rounding of their dimensions; as require_shape_of.
@@ -97,7 +97,11 @@ CompiledFilm read_film_file(const fs::path& file, std::string_view film, double 
     if (!is_same_shape(table.shape, shape)) {
       throw refuse(fmt::format("it is made for length over diameter {}, not for {}", table.shape, shape));
     }
-    with_compiled_law(table, [](const auto&) {});  // a table that is not whole is refused there
+    try {
+      with_compiled_law(table, [](const auto&) {});
+    } catch (const std::invalid_argument& error) {  // not whole
+      throw refuse(error.what());
+    }
     return table;
   } catch (const CompiledFilmError& error) {
     throw refuse(error.what());

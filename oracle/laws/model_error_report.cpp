@@ -87,7 +87,8 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
         1e6 * c * (1 - rest->eccentricity_ratio), 1e6 * c * (1 - real->eccentricity_ratio),
         1e6 * c * (1 - pinned->eccentricity_ratio));
   }
-  const ModelErrorSummary* fit = least([&](std::string_view law) { return !has_rest(law); });
+  const ModelErrorSummary* fit =
+      least([](std::string_view law) { return std::ranges::count(names_of_laws<ShapedFilmLaws>, law) > 0; });
   if (fit != nullptr && fit->median < best->median) {
     text += fmt::format(". A fit is nearer: {}, median {}", fit->law, error_words(fit->median));
   }

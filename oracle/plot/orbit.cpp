@@ -34,6 +34,9 @@ OrbitWindow orbit_window(const std::vector<PlotPoint>& places, double aspect) {
   constexpr double whole_from = 0.75;   // clearances: a part of this half height is no part any more
   constexpr double smallest = 1e-3;     // clearances, of an orbit that hardly moves
   OrbitWindow whole;
+  double farthest_place = 1;  // beyond the circle in contact
+  for (const PlotPoint& p : places) farthest_place = std::max(farthest_place, std::hypot(p[0], p[1]));
+  whole.half_height *= farthest_place;
   whole.half_width = whole.half_height * std::max(1.0, aspect);
   if (places.empty()) return whole;
   PlotPoint low = places.front();

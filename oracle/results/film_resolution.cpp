@@ -43,22 +43,25 @@ std::string resolution_warning(const Scene& scene, const SceneJoint& joint, doub
                                    : "No tolerance resolves it in double precision.");
 }
 
-double unseen_error(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
+double unseen_error(const Scene& scene, const SceneJoint& joint, const std::string& integrator, double thinnest) {
   if (integrator != "fehlberg78" || joint.film == no_film) return 0;
   const double tolerance = tolerance_of_places(scene);
-  const double touching = joint.contact ? std::min(1e4 * tolerance, 0.1) : 0;
+  // Where |e| has come to c the film is as thin as the transition's widening.
+  const bool touched = joint.contact && joint.transition && thinnest <= joint.transition->e1 / joint.clearance;
+  const double touching = touched ? std::min(1e4 * tolerance, 0.1) : 0;
   const double kinked = law_facts(joint.film).kinks && tolerance < 1e-11 ? 1e-8 : 0;
   return std::max(touching, kinked);
 }
 
-std::string unseen_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator) {
-  const double unseen = unseen_error(scene, joint, integrator);
+std::string unseen_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator,
+                           double thinnest) {
+  const double unseen = unseen_error(scene, joint, integrator, thinnest);
   if (unseen == 0) return {};
   return fmt::format(
       "warning: {}'s estimate of its error looks at the ends of a step alone, and {} inside it in joint \"{}\": places "
       "may be off by {:.0e} clearances, more than the tolerance of {:.0e}. dopri5 and radau_iia5 keep it.",
       integrator,
-      joint.contact ? std::string("film and contact change places")
+      unseen > 1e-8 ? std::string("film and contact change places")
                     : fmt::format("the force of {} has a kink where the squeeze changes sign", joint.film),
       joint.name, unseen, tolerance_of_places(scene));
 }

@@ -38,12 +38,13 @@ std::string resolution_warning(const Scene& scene, const SceneJoint& joint, doub
 /// What Fehlberg's estimate may leave unseen, in places [clearances]; 0 for another integrator. It looks at the step's
 /// ends alone. A kink of the force inside, as Pinkus and Sternlicht's where ε̇ changes sign, leaves 1e-9 clearances in a
 /// run of the impact, whatever the tolerance: ten times that, where a tolerance is below 1e-11. Steps through a film
-/// that gives way to contact leave up to 4e-3 at a tolerance of 1e-6 and 1e-5 at 1e-8: 1e4 tolerances, at most 0.1.
-/// @param integrator  that made the run
-double unseen_error(const Scene& scene, const SceneJoint& joint, const std::string& integrator);
+/// that gives way to contact leave up to 4e-3 at a tolerance of 1e-6 and 1e-5 at 1e-8: 1e4 tolerances, at most 0.1,
+/// where the run has come so far.
+/// @param integrator  that made the run;  @param thinnest  as above
+double unseen_error(const Scene& scene, const SceneJoint& joint, const std::string& integrator, double thinnest);
 
 /// Says so, with what keeps the tolerance; empty where nothing is left unseen.
-/// @param integrator  as above
-std::string unseen_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator);
+/// @param integrator, thinnest  as above
+std::string unseen_warning(const Scene& scene, const SceneJoint& joint, const std::string& integrator, double thinnest);
 
 }  // namespace lubjoint::reports

@@ -51,10 +51,9 @@ std::string force_of(const std::vector<Look>& looks) {
          "$y with lines lw 1.8 dt 2 lc rgb '#d55e00' title 'F_y'\n";
 }
 
-std::string film_of(const std::vector<Look>& looks, const SceneJoint& joint) {
-  // A film that is gone in contact has no place on a logarithmic axis.
-  const double floor = 1e-9 * joint.clearance;
-  return block("data", looks, [floor](const Look& l) { return 1e6 * std::max(l.film, floor); }) +
+std::string film_of(const std::vector<Look>& looks) {
+  // A film that is gone in contact has no place on a logarithmic axis, and leaves a gap.
+  return block("data", looks, [](const Look& l) { return 1e6 * l.film; }) +
          "plot $data with lines lw 1.5 lc rgb '#0072b2' notitle\n";
 }
 
@@ -71,7 +70,7 @@ std::vector<std::string> write(const Scene& scene, const std::vector<std::vector
     const SceneJoint& joint = scene.joints[j];
     orbit.panels.push_back({plain(joint.name), orbit_of(looks[j])});
     force.panels.push_back({plain(joint.name), force_of(looks[j])});
-    if (joint.film != no_film) film.panels.push_back({plain(joint.name), film_of(looks[j], joint)});
+    if (joint.film != no_film) film.panels.push_back({plain(joint.name), film_of(looks[j])});
   }
   std::vector<std::string> files;
   const auto sheet = [&](const Figure& figure, const char* what, int height) {

@@ -97,7 +97,8 @@ void require_sound(const Scene& scene) {
   require(!scene.bodies.empty(), "a scene has a body");
   for (const SceneBody& body : scene.bodies) {
     require_name(body.name);
-    require_positive(body.mass, "mass");
+    require_finite(body.mass, "mass");
+    require(body.mass > 0 || is_massless_journal(scene), "a mass is above 0, or 0 for a journal alone on its film");
     require_positive(body.inertia, "inertia");
     require_finite(body.position, "position");
     require_finite(body.velocity, "velocity");

@@ -98,8 +98,8 @@ StressRun run_scene(const Scene& scene) {
   try {
     StressRun run = is_free_journal(scene) ? run_journal(scene) : run_multibody(scene);
     const SceneJoint& joint = scene.joints.front();
-    for (const std::string& coarse :
-         {resolution_warning(scene, joint, run.thinnest_film), unseen_warning(scene, joint, run.outcome.integrator)}) {
+    for (const std::string& coarse : {resolution_warning(scene, joint, run.thinnest_film),
+                                      unseen_warning(scene, joint, run.outcome.integrator, run.thinnest_film)}) {
       run.warning += (coarse.empty() || run.warning.empty() ? "" : "; ") + coarse;
     }
     const RunOutcome& outcome = run.outcome;
@@ -143,7 +143,7 @@ StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const Stres
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
-  accuracy.unseen = unseen_error(scene, scene.joints.front(), run.outcome.integrator);
+  accuracy.unseen = unseen_error(scene, scene.joints.front(), run.outcome.integrator, run.thinnest_film);
   if (is_free_journal(scene)) {
     const double both = scene.run.relative_tolerance + scene.run.absolute_tolerance;
     accuracy.tolerance = std::sqrt(4.0) * std::max(both, tightest_tolerance);

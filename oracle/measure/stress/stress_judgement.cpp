@@ -80,7 +80,7 @@ StressDeviation deviation_of(const std::vector<StressSample>& samples, const Str
     const double rates = expected * run.rate_share;
     const std::array<double, 3> limits = {expected, rates, rates * row.force_gain};
     constexpr double open = std::numeric_limits<double>::infinity();
-    const double warned_of = expected + run.unseen * row.growth;
+    const double warned_of = expected + std::min(run.unseen * row.growth, 0.1);  // as far as any error may grow
     const bool open_force = run.no_digit || share == 1;
     const std::array<double, 3> warned = {run.no_digit ? 1.0 : std::min(1.0, warned_of + share * way),
                                           run.no_digit ? open : warned_of * run.rate_share + share * (1 + speed),

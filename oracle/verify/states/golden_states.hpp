@@ -27,8 +27,7 @@ struct GoldenAnswers {
 inline constexpr double largest_in_double = 1e75;
 
 /// The states of the golden table that has these quantities, each once, in the table's order; there is none without
-/// dimensions. Left out are rows that a
-/// state can't say (a slip rate at ε = 0 in polar quantities), numbers beyond largest_in_double, and pressures within
+/// dimensions. Left out are rows that a state can't say (a slip rate at ε = 0 in polar quantities), numbers beyond largest_in_double, and pressures within
 /// 1e-3 of θ = 0 or π, where a half film may count as its inside or its outside.
 /// A slip rate a is handed over as ω and γ̇ such that ε(ω − 2γ̇) is a, to twice the digits of a double.
 /// @param folder  of the golden data

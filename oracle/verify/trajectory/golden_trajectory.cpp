@@ -52,6 +52,7 @@ std::optional<GoldenAgreement> golden_agreement(const SceneReference& reference,
   if (name.empty() || !fs::exists(file)) return {};
   Trajectory table = read_trajectory(reports::read_input(file.string()), file.string());
   rename_columns(reference.scene, table);
+  end_films_in_contact(reference.scene, table);
   GoldenAgreement agreement{name, 0, 0, 1e-2 * reference.tolerance};
   const std::vector<double>& t = reference.run.t;
   for (std::size_t i = 0; i < table.t.size(); ++i) {

@@ -93,6 +93,7 @@ bool TrajectoryVerification::agrees() const {
 TrajectoryVerification verify_trajectory(const SceneReference& reference, std::string_view csv, const std::string& name,
                                          const std::function<void()>& progress) {
   Trajectory given = read_trajectory(csv, name, &reference.run);
+  end_films_in_contact(reference.scene, given);
   const std::vector<std::string> used = add_eccentricities(reference.scene, given);
   TrajectoryVerification result;
   result.scene = reference.scene.name;

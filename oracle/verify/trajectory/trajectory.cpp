@@ -30,11 +30,7 @@ Trajectory read_trajectory(std::string_view csv, const std::string& name, const 
     for (const std::string& column : table.columns()) {
       if (column == "t") continue;
       if (known == nullptr || known->has(column)) {
-        std::vector<double> values = numbers(table, column);
-        if (column.ends_with(".film_thickness")) {  // c − |e| of a program that counts on into contact: no film
-          for (double& value : values) value = std::max(value, 0.0);
-        }
-        trajectory.columns[column] = std::move(values);
+        trajectory.columns[column] = numbers(table, column);
       } else {
         trajectory.not_read.push_back(column);
       }
@@ -51,6 +47,14 @@ Trajectory read_trajectory(std::string_view csv, const std::string& name, const 
     return trajectory;
   } catch (const reports::CsvError& error) {
     throw UnjudgedError(error.what());
+  }
+}
+
+void end_films_in_contact(const Scene& scene, Trajectory& trajectory) {
+  for (const SceneJoint& joint : scene.joints) {
+    const auto column = trajectory.columns.find(joint.name + ".film_thickness");
+    if (!joint.contact || column == trajectory.columns.end()) continue;
+    for (double& value : column->second) value = std::max(value, 0.0);
   }
 }
 

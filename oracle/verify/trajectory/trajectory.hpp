@@ -25,6 +25,9 @@ struct Trajectory {
 /// @throws UnjudgedError for no column t, a field that is no finite number, times that don't increase, under five rows
 Trajectory read_trajectory(std::string_view csv, const std::string& name, const Trajectory* known = nullptr);
 
+/// Of joints with contact: c − |e| of a program that counts on into contact is no film. Elsewhere it stays wrong.
+void end_films_in_contact(const Scene& scene, Trajectory& trajectory);
+
 /// A run's own table; what is not defined anywhere is no column.
 Trajectory as_trajectory(const TrajectoryTable& table, const std::string& name);
 

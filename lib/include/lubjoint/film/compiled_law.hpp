@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lubjoint/film/law.hpp"
+#include "lubjoint/film/shaped_law.hpp"
 
 namespace lubjoint {
 
-/// What a compiled law is made of. Read from a file by finite_film_file.hpp, made by `lubjoint compile-film`.
+/// What a compiled law is made of. Read from a file by compiled_film_file.hpp, made by `lubjoint compile-film`.
 struct CompiledFilm {
   std::string film;                  ///< name of the law: finite_full, …
   double shape = 0;                  ///< L/D that it was made for
@@ -47,6 +47,10 @@ inline void require_table(const CompiledFilm& table, std::string_view law, std::
     reason << "is one of \"" << table.film << "\"";
   } else if (!(table.shape > 0 && std::isfinite(table.shape))) {
     reason << "has length over diameter " << table.shape << "; allowed is a finite number above 0";
+  } else if (!(table.ratio_limit > 0 && table.ratio_limit < 1)) {
+    reason << "has the eccentricity ratio " << table.ratio_limit << " for its limit; allowed is a number in (0, 1)";
+  } else if (!(table.error >= 0 && std::isfinite(table.error))) {
+    reason << "has the error " << table.error << "; allowed is a finite number, 0 or more";
   } else if (table.coefficients.size() != coefficients) {
     reason << "has " << table.coefficients.size() << " coefficients; allowed are " << coefficients;
   } else {
@@ -73,7 +77,7 @@ Matrix series_of(const CompiledFilm& table, Eigen::Index place) {
 template <CompiledLaw Law, class R>
 void require_shape_of(const Law& law, const Bearing<R>& bearing) {
   using std::abs;
-  const R shape = bearing.length() / (2 * bearing.radius());
+  const R shape = length_to_diameter(bearing);
   if (abs(R(shape - law.shape())) <= R(1e-12) * shape) return;  // four roundings of doubles, many times
   std::ostringstream message;
   message.precision(17);
@@ -89,22 +93,7 @@ Vector2<T> compiled_force_ratio(const Law& law, const FilmState<T>& film) {
   const auto in_motion = [&law]<class S>(const FilmState<S>& state) {
     return detail::in_range_of_rates(state, [&law](const FilmState<S>& scaled) { return law.force_ratio(scaled); });
   };
-  if (!is_zero(film.velocity)) return in_motion(film);
-  Vector2<T> ratio(T(0), T(0));
-  if constexpr (ScalarTraits<T>::carries_derivatives) {
-    using R = RealOf<T>;
-    using Inner = Dual<R, 2>;
-    const Vector2<R> e_hat(value_of(film.eccentricity.x()), value_of(film.eccentricity.y()));
-    Vector2<R> along(R(1), R(0));
-    if (!is_zero(e_hat)) along = -perpendicular(direction(e_hat));
-    const Vector2<Inner> u(Inner::variable(along.x(), 0), Inner::variable(along.y(), 1));
-    const Vector2<Inner> e_fixed(Inner(e_hat.x()), Inner(e_hat.y()));
-    const Vector2<Inner> slope = in_motion(FilmState<Inner>(e_fixed, u, Inner(value_of(film.q))));
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      ratio[i] = slope[i].derivatives().x() * film.velocity.x() + slope[i].derivatives().y() * film.velocity.y();
-    }
-  }
-  return ratio;
+  return is_zero(film.velocity) ? detail::force_ratio_at_rest(film, in_motion) : in_motion(film);
 }
 
 /// Force of the film on the journal [N], in the frame of the state.

@@ -18,7 +18,7 @@ template <class Law>
 concept ShapedVectorLaw = requires(const FilmState<double>& state) {
   { Law::force_ratio(state, 1.0) } -> std::same_as<Vector2<double>>;
 };
-/// The same in polar components.
+/// The same in polar components; the radial direction is the caller's, also at ε = 0.
 template <class Law>
 concept ShapedPolarLaw = requires(const PolarFilmState<double>& state) {
   { Law::force_ratio(state, 1.0) } -> std::same_as<PolarForce<double>>;
@@ -92,8 +92,16 @@ Vector2<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<
 template <ShapedFilmLaw Law, class T>
 PolarForce<T> film_force(const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
                          const PolarFilmState<T>& state) {
-  const Vector2<T> force = film_force<Law>(bearing, oil, state.in_own_frame());
-  return {force.x(), force.y()};
+  if constexpr (ShapedPolarLaw<Law>) {
+    const RealOf<T> shape = length_to_diameter(bearing);
+    require_shape<Law>(shape);
+    const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+    const PolarForce<T> ratio = Law::force_ratio(state, shape);
+    return {T(scale * ratio.radial), T(scale * ratio.tangential)};
+  } else {
+    const Vector2<T> force = film_force<Law>(bearing, oil, state.in_own_frame());
+    return {force.x(), force.y()};
+  }
 }
 
 /// A law of any kind: force_scale(Law::limit, …) and film_force<Law>(…) are all that a user needs.

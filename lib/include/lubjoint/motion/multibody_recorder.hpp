@@ -75,7 +75,8 @@ class PeakTracker {
       const double value = confirm(step, at);
       if (value > best.value) best = {value, static_cast<double>(at)};
     };
-    // Where the interpolant passes the wall, the largest of the places that were looked at stands.
+    // Where the interpolant passes the wall or a singular position, the largest of the places that were looked at
+    // stands.
     const auto search_in_film = [&](const MultibodyStep<R>& step) {
       try {
         search(step);

@@ -2,6 +2,7 @@
 /// of a parallelogram. A step may land beyond one without noticing.
 #pragma once
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
@@ -29,7 +30,8 @@ struct SingularPosition {
 /// Watches the independence of the constraints: the least sine s of the angle between a row of Φq M^{-1/2} and the rows
 /// before it, which the factors of Φq M⁻¹ Φqᵀ have at hand. s is smooth but where it vanishes, and there it is a V: so
 /// its least value is looked for, by the method itself, wherever its slope between three looks could reach 0. A look at
-/// every accepted step, and more in a step in which bodies turn far.
+/// every accepted step, and more in a step in which bodies turn far. s is small, too, where a light body hangs between
+/// heavy ones; so what is found counts only if rows of Φq in lengths, whatever the masses, are as near to dependent.
 template <class R>
 class SingularWatch {
  public:
@@ -37,8 +39,7 @@ class SingularWatch {
   using Step = std::shared_ptr<const MultibodyStep<R>>;  ///< an accepted one
 
   /// @param tolerance  relative, of the run: s is known to ten of it, and to 1e-4 at best. Above 1e-3 it says too
-  /// little
-  ///   for a verdict: a coarser run may pass a singular position unnoticed, and is never stopped at what is none
+  ///   little for a verdict: a coarser run may pass a singular position, and is never stopped at what is none
   SingularWatch(MultibodyOde<R>& ode, double tolerance)
       : ode_(ode), close_(std::clamp(10 * tolerance, 1e-4, 1e-3)), watches_(ode.system().constraint_rows() > 1) {}
 
@@ -79,7 +80,7 @@ class SingularWatch {
   std::optional<SingularPosition> at(const R& t, const State& y) {
     if (!watches_) return std::nullopt;
     const double sine = sine_at(t, y);
-    if (!(sine < 10 * close_)) return std::nullopt;
+    if (!(sine < 10 * close_ && dependence_of_lengths() < 10 * close_)) return std::nullopt;
     return SingularPosition{static_cast<double>(t), ode_.workspace().schur.least_row(), sine};
   }
 
@@ -117,12 +118,37 @@ class SingularWatch {
   double sine_at(const R& t, const State& y) {
     SystemWorkspace<R>& w = ode_.workspace();
     ode_.system().evaluate_kinematics(t, y.data(), w);
+    if (!std::all_of(y.begin(), y.end(), [](const R& x) { return std::isfinite(static_cast<double>(x)); })) return 1;
     try {
       ode_.system().factorise(w);
     } catch (const SingularConstraints&) {
       return 0;
     }
     return std::sqrt(std::max(0.0, static_cast<double>(w.schur.least_share())));
+  }
+
+  /// Least singular value of Φq of the last look, angles in units of its longest lever, rows of length 1.
+  double dependence_of_lengths() {
+    const PlanarSystem<R>& system = ode_.system();
+    const auto& rows = ode_.workspace().rows;
+    Eigen::MatrixXd matrix =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(system.coordinates()));
+    double lever = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const auto put = [&](std::size_t body, const std::array<R, 3>& columns) {
+        if (body == ground_body) return;
+        for (std::size_t k = 0; k < 3; ++k) {
+          matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(planar_coordinates * body + k)) +=
+              static_cast<double>(columns[k]);
+        }
+        if (columns[0] != 0 || columns[1] != 0) lever = std::max(lever, std::abs(static_cast<double>(columns[2])));
+      };
+      put(system.first_body_of_row(row), rows[row].first);
+      put(system.second_body_of_row(row), rows[row].second);
+    }
+    for (Eigen::Index i = 2; lever > 0 && i < matrix.cols(); i += planar_coordinates) matrix.col(i) /= lever;
+    matrix.rowwise().normalize();
+    return matrix.jacobiSvd().singularValues().minCoeff();
   }
 
   /// A V that vanishes between the looks falls and rises at least as fast as it did outside.
@@ -147,6 +173,7 @@ class SingularWatch {
         sine, static_cast<double>(from.t), static_cast<double>(to.t), std::numeric_limits<double>::digits / 2, looks);
     if (!(least < close_)) return std::nullopt;
     sine(t);
+    if (!(dependence_of_lengths() < close_)) return std::nullopt;
     return SingularPosition{t, ode_.workspace().schur.least_row(), least};
   }
 

@@ -100,4 +100,11 @@ struct Scene {
   RunSettings run;                           ///< duration, tolerances, output
 };
 
+/// Does the scene hold just one journal in a bearing on the ground, without contact, constraint or ledger? It then runs
+/// by its own short path: four states, no constraints.
+bool is_free_journal(const Scene& scene);
+
+/// Is it one whose mass is 0? Its film carries the load at every moment: two states.
+bool is_massless_journal(const Scene& scene);
+
 }  // namespace lubjoint

@@ -42,13 +42,6 @@ struct MultibodyTrajectory {
   double wall_seconds = 0;                ///< that the run took
 };
 
-/// Does the scene hold just one journal in a bearing on the ground, without contact, constraint or ledger? It then runs
-/// by its own short path: four states, no constraints.
-bool is_free_journal(const Scene& scene);
-
-/// Is it one whose mass is 0? Its film carries the load at every moment: two states.
-bool is_massless_journal(const Scene& scene);
-
 /// Integrates any scene by constrained equations of motion.
 /// @throws SceneError  constraints that repeat or contradict each other, a journal that starts outside its bearing
 MultibodyTrajectory simulate_multibody(const Scene& scene);
