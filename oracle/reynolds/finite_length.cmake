@@ -4,6 +4,7 @@ set(finite_length_sources
   cavitated_grid.cpp
   circumferential_modes.cpp
   envelope_cholesky.cpp
+  finite_force.cpp
   finite_length.cpp
   lobatto.cpp
   smooth_film.cpp

@@ -1,0 +1,37 @@
+#include "oracle/reynolds/finite_force.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace lubjoint::oracle {
+
+double FiniteForce::relative_error() const {
+  const double size = std::hypot(ratio.x(), ratio.y());
+  return size > 0 ? error / size : std::numeric_limits<double>::infinity();
+}
+
+FiniteForce finite_force(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
+                         const FiniteLengthOptions& options) {
+  if (!(length_to_diameter > 0 && std::isfinite(length_to_diameter))) {
+    std::ostringstream message;
+    message.precision(17);
+    message << "length over diameter is " << length_to_diameter << "; allowed is a finite number above 0";
+    throw std::invalid_argument(message.str());
+  }
+  FiniteForce force{Vector2<double>(0, 0)};
+  if (is_zero(state.velocity)) return force;
+  // R = 1, so that L is twice L/D; with c = 1/2 and μ = 1/(4L) the scale μLR³/c² is one.
+  const double length = 2 * length_to_diameter;
+  const PolarView<double> view = polar_view(state);
+  const FiniteLengthResult solved = finite_length_force(film, Bearing<double>(length, 1, 0.5),
+                                                        Lubricant<double>(1 / (4 * length)), view.state, options);
+  const Vector2<double> across = perpendicular(view.radial);
+  force.ratio = Vector2<double>(solved.radial * view.radial + solved.tangential * across);
+  force.error = std::hypot(solved.radial_error, solved.tangential_error);
+  force.tolerance_met = solved.tolerance_met;
+  return force;
+}
+
+}  // namespace lubjoint::oracle

@@ -1,0 +1,26 @@
+/// The finite-length film as a law of the film's state, to hold laws and programs against.
+#pragma once
+
+#include "oracle/reynolds/finite_length.hpp"
+
+namespace lubjoint::oracle {
+
+/// A force over the force scale S = μLR³/c², with a bound of its error.
+struct FiniteForce {
+  Vector2<double> ratio;      ///< F/S on the journal, in the frame of the state [1/s]
+  double error = 0;           ///< bound of |F − F_exact|/S [1/s]
+  bool tolerance_met = true;  ///< the bound is within the tolerance asked for
+
+  /// The bound over |F|; infinite where there is no force.
+  double relative_error() const;
+};
+
+/// Force of a finite-length film of one L/D at a state of the film: finite_length_force (which has the equation, the
+/// solvers and what they reach) in the frame of the state, without the bearing's other dimensions. At ê = 0 the radial
+/// direction is that of u; at u = 0 the force is zero.
+/// @param length_to_diameter  L/(2R)
+/// @throws std::invalid_argument if L/D is not a finite number above 0, or the tolerance is outside of its range
+FiniteForce finite_force(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
+                         const FiniteLengthOptions& options = {});
+
+}  // namespace lubjoint::oracle
