@@ -87,6 +87,30 @@ TEST_CASE("trial steps beyond the wall are rejected by both kinds of stepper, an
   CHECK(explicit_run.recorder.max_eccentricity_ratio() < 1);
 }
 
+TEST_CASE("a half film that leaves its jump and meets it again within one step does not hold up the run") {
+  RunSettings settings = one_second();
+  settings.duration = 0.1;
+  for (const char* method : {"dopri5", "fehlberg78", "bulirsch_stoer"}) {  // by steps far too long
+    settings.relative_tolerance = settings.absolute_tolerance = 0.1;
+    CHECK(run_journal(journal_of_table_1<LongHalf>(), settings, method).outcome.status == RunStatus::finished);
+    // From the centre the first step reaches the wall.
+    settings.relative_tolerance = settings.absolute_tolerance = 1e-6;
+    const auto heavy = run_journal(journal_of_table_1<ShortHalf>(1e13), settings, method);
+    CHECK(heavy.outcome.t_end > 0);
+    CHECK_THAT(heavy.outcome.message, !Contains("jump"));
+  }
+}
+
+TEST_CASE("a film so thin that no velocity balances it is named as such, not the jump of its half film") {
+  RunSettings settings = one_second();
+  settings.relative_tolerance = settings.absolute_tolerance = 1e-6;
+  JournalRun<ShortHalf> run(journal_of_table_1<ShortHalf>(), "bearing", "rosenbrock4", settings);
+  const RunOutcome outcome = run.run({1 - 1e-12, 0, 0, 0});
+  CHECK(outcome.status == RunStatus::stopped);
+  CHECK_THAT(outcome.message, Contains("one rounding of its velocity changes the film's force by more than the load") &&
+                                  Contains("raise the clearance"));
+}
+
 TEST_CASE("a run that uses up its steps stops with the limit, the time, the joint and ε") {
   RunSettings settings = one_second();
   settings.max_steps = 7;

@@ -42,7 +42,7 @@ namespace detail {
 /// @throws std::invalid_argument if a table is not one of this law
 inline void require_table(const CompiledFilm& table, std::string_view law, std::size_t coefficients) {
   std::ostringstream reason;
-  reason.precision(17);
+  reason.precision(10);
   if (table.film != law) {
     reason << "is one of \"" << table.film << "\"";
   } else if (!(table.shape > 0 && std::isfinite(table.shape))) {

@@ -12,7 +12,7 @@ namespace lubjoint {
 /// ρ and σ are sums of products of Chebyshev polynomials in t and r, compiled for the L/D. Smooth away from u = 0, at
 /// ê = 0 and where the film turns from closing to opening, too; mirrored with its state exactly. Beyond the table
 /// (|t| > 0.92 or r < 0.18: nothing below ε = 0.999) the sums go on along their tangents.
-/// Accuracy: the table states it, 3e-6 of |F| up to ε = 0.99 for L/D ¼ to 4 (tests).
+/// Accuracy: the table states it, up to ε = 0.99 7e-6 of |F| at L/D ¼ and below 1e-6 from ½ to 4 (tests).
 class FiniteDynamic {
  public:
   static constexpr std::string_view name = "finite_dynamic";                 ///< in scenes and options

@@ -15,7 +15,7 @@ namespace lubjoint {
 /// and the law is symmetric whatever the table's error. Smooth away from u = 0, at ê = 0, too; mirrored with its state
 /// exactly. Beyond the table (|t| > 0.8 or r < 0.36: nothing below ε = 0.99) g goes on along its tangents: the force is
 /// continuous, its derivatives are not.
-/// Accuracy: the table states it, 1e-4 of |F| up to ε = 0.95 for L/D ¼ to 4 (tests).
+/// Accuracy: the table states it, 1.4e-4 of |F| up to ε = 0.95 for L/D ¼ to 4 (tests).
 class FiniteReynolds {
  public:
   static constexpr std::string_view name = "finite_reynolds";                   ///< in scenes and options

@@ -1,6 +1,9 @@
 /// A free journal on its film, from its start to its end, through all modes.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -204,6 +207,15 @@ class JournalRun : public ModeRuns {
     return turning > 0 ? Phase::mirrored : Phase::converging;
   }
 
+  /// Is a rounding of w worth more of the film's force than the load? No velocity in double precision balances it then.
+  bool rounding_outweighs_load() const {
+    const OnTheJump here = on_the_jump();
+    const double fastest = std::max(std::abs(here.beta), std::abs(journal_.drive().mean_spin()));
+    const Vector2<double> rounding = std::numeric_limits<double>::epsilon() * fastest * perpendicular(here.line);
+    const FilmState<double> film{journal_.film(y_).eccentricity, rounding};
+    return journal_.joint().force(film, HalfFilmSide::converging).norm() > journal_.drive().load.norm();
+  }
+
   void run_half_film() {
     Phase phase = first_phase();
     bool started = false;
@@ -242,9 +254,12 @@ class JournalRun : public ModeRuns {
       if (events_without_progress > 20) {
         outcome_.status = RunStatus::stopped;
         outcome_.message = "stopped at t = " + detail::number(t_) + " s: joint \"" + joint_name_ +
-                           "\" can't leave the jump of its half film at a = 0, eccentricity ratio " +
-                           detail::eccentricity_words({y_[0], y_[1]}) +
-                           "; use a law without a jump, such as a dynamic one";
+                           "\" is at eccentricity ratio " + detail::eccentricity_words({y_[0], y_[1]}) +
+                           (rounding_outweighs_load()
+                                ? ": one rounding of its velocity changes the film's force by more than the load; "
+                                  "lower the viscosity or raise the clearance"
+                                : " and can't leave the jump of its half film at a = 0; use a law without a jump, "
+                                  "such as a dynamic one");
         recorder_.finish(SidedMode<Law>(journal_, HalfFilmSide::converging), t_, y_);
         return;
       }

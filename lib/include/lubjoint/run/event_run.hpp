@@ -211,6 +211,9 @@ class EventRun {
   /// Events that follow each other at the same time: a few, where several joints change at once.
   static constexpr std::size_t most_at_once = 20;
 
+  /// Of a step, in search of a moment at which a piece is off the surface that it started on.
+  static constexpr int most_halvings = 30;
+
   struct Event {
     std::size_t margin;
     R t;           ///< where it is, or within a step beyond it
@@ -338,7 +341,13 @@ class EventRun {
       low = step_.t_old;
       f_low = value(low);
     }
-    // A piece that has just begun starts on its surface: if it never left it, the crossing is its start.
+    // A piece that has just begun starts on its surface, to rounding or to the method's error. It may have left it
+    // before it came back: if it never did, the crossing is its start.
+    if (!(f_low > 0)) low = beyond;
+    for (int halvings = 0; halvings < most_halvings && !failed && !(f_low > 0); ++halvings) {
+      low = step_.t_old + (low - step_.t_old) / 2;
+      f_low = value(low);
+    }
     if (failed || !(f_low > 0)) return event_at(step_.t_old);
     std::uintmax_t iterations = 80;
     const boost::math::tools::eps_tolerance<R> tolerance(std::numeric_limits<R>::digits - 2);
