@@ -3,9 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/film/steady_place.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
@@ -24,12 +25,13 @@ struct Linearisation {
   Eigen::Matrix<Long, 4, 4> jacobian;
 };
 
-template <FilmLaw Law>
+template <class Law>
 Linearisation linearise(const JournalScene& parts, const JournalState<double>& y) {
-  const auto& bearing = parts.bearing;
+  const Bearing<double>& b = parts.bearing;
+  const Bearing<Long> bearing(b.length(), b.radius(), b.clearance());
+  const Lubricant<Long> oil(parts.oil.viscosity());
   const FreeJournal<Law, Long> journal(
-      LubricatedJoint<Law, Long>(Bearing<Long>(bearing.length(), bearing.radius(), bearing.clearance()),
-                                 Lubricant<Long>(parts.oil.viscosity())),
+      film_of<Law, Long>(parts.law, bearing, oil, parts.table.get()),
       {parts.drive.mass, parts.drive.load.template cast<Long>(), parts.drive.bearing_spin, parts.drive.journal_spin});
   const JournalState<Long> at{y[0], y[1], y[2], y[3]};
   Linearisation result;
@@ -40,9 +42,7 @@ Linearisation linearise(const JournalScene& parts, const JournalState<double>& y
 
 /// What a law has to say to an equilibrium; the rest is compiled once for all of them.
 struct LawAtRest {
-  /// The place at which the film carries a load over the spins' sum, and F/S there for a spin of that sum's sign.
-  std::optional<SteadyPlace<double>> (*place)(const double& load_ratio);
-  PolarForce<double> (*force_ratio)(const PolarFilmState<double>&);
+  std::function<PolarForce<double>(const PolarFilmState<double>&)> force_ratio;  ///< F/S
   BearingLimit limit;
   Linearisation (*linearise)(const JournalScene&, const JournalState<double>&);
 };
@@ -60,7 +60,8 @@ JournalEquilibrium find(const Scene& scene, const LawAtRest& law) {
   double q = 1;
   if (load > 0) {
     const double scale = force_scale(law.limit, parts.bearing, parts.oil);
-    const std::optional<SteadyPlace<double>> place = law.place(load / scale / std::abs(spin_sum));
+    const std::optional<SteadyPlace<double>> place =
+        steady_place_of(law.force_ratio, load / scale / std::abs(spin_sum));
     if (!place) {
       throw SceneError(
           scene.file + ":" + std::to_string(scene.bodies.front().line) +
@@ -127,11 +128,20 @@ JournalEquilibrium journal_equilibrium(const Scene& scene) {
                      ": bodies[0].mass is 0, and eigenvalues need one; allowed is a mass above 0: the place of "
                      "equilibrium does not depend on it where the load is given");
   }
-  require_law_at_rest(scene.joints.front().film);
-  const LawAtRest law = with_film_law(scene.joints.front().film, []<class Law>() {
-    return LawAtRest{&steady_place<Law, double>, &polar_force_ratio<Law, double>, Law::limit, &linearise<Law>};
+  const SceneJoint& joint = scene.joints.front();
+  if (is_compiled_law(joint.film)) {
+    return with_film_law<CompiledLaws>(joint.film, [&]<class Law>() {
+      const Law law(table_of<Law>(joint.table.get()));
+      const auto force_ratio = [&law](const PolarFilmState<double>& film) {
+        return compiled_polar_force_ratio(law, film);
+      };
+      return find(scene, {force_ratio, Law::limit, &linearise<RunLaw<Law>>});
+    });
+  }
+  require_law_at_rest(joint.film);
+  return with_film_law(joint.film, [&]<class Law>() {
+    return find(scene, {&polar_force_ratio<Law, double>, Law::limit, &linearise<Law>});
   });
-  return find(scene, law);
 }
 
 }  // namespace lubjoint

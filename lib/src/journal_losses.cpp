@@ -1,6 +1,6 @@
 #include "lubjoint/scene/journal_losses.hpp"
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/film/losses.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 
@@ -14,7 +14,7 @@ LossSample journal_losses(const Scene& scene, const JournalSample& sample) {
   const auto& y = sample.state;
   const FilmState<double> film(Vector2<double>(y[0], y[1]),
                                Vector2<double>(y[2] + half_sum * y[1], y[3] - half_sum * y[0]));
-  return with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+  return with_film_law<NamedFilmLaws>(joint.film, [&]<class Law>() {
     const double rate = couette_scale(parts.bearing, parts.oil) * couette_integral<Law>(film, *joint.shear);
     const double relative_spin = parts.drive.journal_spin - parts.drive.bearing_spin;
     // With the recorded force: on the jump of a half film it is no force of the law's.

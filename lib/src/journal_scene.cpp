@@ -12,7 +12,7 @@ namespace {
 
 std::string listed_massless_laws() {
   std::string list;
-  for_each_film_law<EveryFilmLaw>([&]<class Law>() {
+  for_each_film_law<NamedFilmLaws>([&]<class Law>() {
     if constexpr (moves_massless_journal<Law>) (list += list.empty() ? "" : ", ") += Law::name;
   });
   return list;
@@ -46,7 +46,7 @@ JournalScene journal_scene(const Scene& scene) {
   }
   if (joint.contact) refuse("joints[0] has contact; allowed here is a film alone");
   if (joint.shear) {  // the law may be another than the file's
-    with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() { return sheared_gap<Law>(*joint.shear); });
+    with_film_law<NamedFilmLaws>(joint.film, [&]<class Law>() { return sheared_gap<Law>(*joint.shear); });
   }
   if (joint.shear && !body.spin_is_held) {
     refuse("joints[0].shear slows the journal down; allowed here is a spin that is held: spin = {held = ...}",
@@ -58,7 +58,8 @@ JournalScene journal_scene(const Scene& scene) {
   Vector2<double> load = body.mass * scene.gravity;
   for (const SceneLoad& each : scene.loads) load += each.force;
   if (body.mass == 0) {  // what the reader could not know: the law may be another than the file's
-    const bool moves = with_film_law<EveryFilmLaw>(joint.film, []<class Law>() { return moves_massless_journal<Law>; });
+    const bool moves =
+        with_film_law<NamedFilmLaws>(joint.film, []<class Law>() { return moves_massless_journal<Law>; });
     if (!moves) {
       refuse("bodies[0].mass is 0 on a film of " + joint.film +
                  ", which leaves the motion open: not every force has one velocity; allowed are " +
@@ -74,13 +75,16 @@ JournalScene journal_scene(const Scene& scene) {
     refuse(message.str(), body.line);
   }
   const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
-  with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+  with_film_law<NamedFilmLaws>(joint.film, [&]<class Law>() {
     if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(length_to_diameter(bearing));
+    if constexpr (CompiledLaw<Law>) require_compiled_shape(Law::name, length_to_diameter(bearing));
   });
   return {bearing,
           Lubricant<double>(joint.viscosity),
           {body.mass, load, 0.0, body.spin},
-          {e.x(), e.y(), body.velocity.x() / joint.clearance, body.velocity.y() / joint.clearance}};
+          {e.x(), e.y(), body.velocity.x() / joint.clearance, body.velocity.y() / joint.clearance},
+          joint.film,
+          joint.table};
 }
 
 }  // namespace lubjoint

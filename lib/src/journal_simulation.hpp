@@ -46,11 +46,11 @@ inline JournalTrajectory trajectory_of(const ModeRuns& run, const RunOutcome& ou
 }
 
 /// What the generated file of a law instantiates.
-/// @tparam Law  of law_list.hpp, or ChosenLaw for all others
+/// @tparam Law  of law_list.hpp, FiniteHalf, or ChosenLaw for all others
 template <class Law>
 JournalTrajectory simulate_journal_with(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
-  const FreeJournal<Law> journal(film_of<Law, double>(scene.joints.front().film, parts.bearing, parts.oil),
+  const FreeJournal<Law> journal(film_of<Law, double>(parts.law, parts.bearing, parts.oil, parts.table.get()),
                                  parts.drive);
   const auto begin = std::chrono::steady_clock::now();
   IntegratorChoice choice{scene.integrator, ""};

@@ -23,7 +23,7 @@ StiffnessMeasure measure_stiffness(const MasslessJournal<ChosenLaw>& journal, co
 
 JournalTrajectory simulate_massless_journal(const Scene& scene) {
   const JournalScene parts = journal_scene(scene);
-  const MasslessJournal<ChosenLaw> journal(ChosenFilm<double>(scene.joints.front().film, parts.bearing, parts.oil),
+  const MasslessJournal<ChosenLaw> journal(ChosenFilm<double>(parts.law, parts.bearing, parts.oil, parts.table.get()),
                                            parts.drive);
   const MasslessState<double> start{parts.start[0], parts.start[1]};
   const auto begin = std::chrono::steady_clock::now();

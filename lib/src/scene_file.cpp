@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/film/losses.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/simulate.hpp"
@@ -79,8 +79,11 @@ std::optional<ShearExtent> read_shear(TableReader& table, const std::string& fil
     table.refuse("shear", in_quotes(name), one_of(shear_extent_names, name));
   }
   const ShearExtent shear = shear_extent(name);
-  if (!with_film_law<EveryFilmLaw>(film, [&]<class Law>() { return has_shear<Law>(shear); })) {
-    table.refuse("shear", in_quotes(name) + " with " + film, "film or flooded; striated is for half films");
+  if (!with_film_law<NamedFilmLaws>(film, [&]<class Law>() { return has_shear<Law>(shear); })) {
+    const bool free = with_film_law<NamedFilmLaws>(film, [&]<class Law>() { return FreeBoundaryLaw<Law>; });
+    table.refuse(
+        "shear", in_quotes(name) + " with " + film,
+        free ? "flooded: the law does not know the bounds of its film" : "film or flooded; striated is for half films");
   }
   return shear;
 }
@@ -97,16 +100,22 @@ Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
 
 /// A law of finite length is not made for every L/D.
 void require_shape_of_joint(TableReader& table, const SceneJoint& joint) {
-  with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+  with_film_law<NamedFilmLaws>(joint.film, [&]<class Law>() {
+    const double shape = joint.length / (2 * joint.journal_radius);
+    std::ostringstream allowed;
     if constexpr (ShapedFilmLaw<Law>) {
-      const double shape = joint.length / (2 * joint.journal_radius);
       if (shape <= Law::longest) return;
-      std::ostringstream allowed;
       allowed << "a bearing whose length is at most " << Law::longest << " of its diameter, or another law";
-      std::ostringstream given;
-      given << in_quotes(joint.film) << " in a bearing of L/D = " << shape;
-      table.refuse("film", given.str(), allowed.str());
+    } else if constexpr (CompiledLaw<Law>) {
+      if (shape >= least_compiled_shape && shape <= largest_compiled_shape) return;
+      allowed << "a bearing whose length is from " << least_compiled_shape << " to " << largest_compiled_shape
+              << " of its diameter, or another law";
+    } else {
+      return;
     }
+    std::ostringstream given;
+    given << in_quotes(joint.film) << " in a bearing of L/D = " << shape;
+    table.refuse("film", given.str(), allowed.str());
   });
 }
 
@@ -119,8 +128,8 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
   }
   joint.film = table.text("film");
   const bool dry = joint.film == no_film;
-  if (!dry && std::find(every_law_names.begin(), every_law_names.end(), joint.film) == every_law_names.end()) {
-    table.refuse("film", in_quotes(joint.film), one_of(every_law_names, joint.film) + ", or " + no_film);
+  if (!dry && std::find(named_film_laws.begin(), named_film_laws.end(), joint.film) == named_film_laws.end()) {
+    table.refuse("film", in_quotes(joint.film), one_of(named_film_laws, joint.film) + ", or " + no_film);
   }
   // A dry joint may keep its oil and length: one word then changes it.
   joint.viscosity = dry ? table.number_or("viscosity", 0, Allowed::positive, "Pa s")

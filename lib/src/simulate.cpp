@@ -14,8 +14,8 @@ JournalTrajectory simulate_journal_with(const Scene& scene);  // one file each, 
 JournalTrajectory simulate_journal(const Scene& scene) {
   if (scene.joints.empty()) journal_scene(scene);  // says what is missing
   if (is_massless_journal(scene)) return detail::simulate_massless_journal(scene);
-  return with_film_law<EveryFilmLaw>(scene.joints.front().film,
-                                     [&]<class Law>() { return detail::simulate_journal_with<RunLaw<Law>>(scene); });
+  return with_film_law<NamedFilmLaws>(scene.joints.front().film,
+                                      [&]<class Law>() { return detail::simulate_journal_with<RunLaw<Law>>(scene); });
 }
 
 }  // namespace lubjoint

@@ -6,6 +6,7 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/files/files.hpp"
@@ -181,7 +182,10 @@ bool is_wanted(const BenchTable& table, const BenchOptions& options) {
 }
 
 int run_bench(BenchOptions options) {
-  for (const std::string& file : options.scene_files) options.scenes.push_back(load_scene(file));
+  for (const std::string& file : options.scene_files) {
+    options.scenes.push_back(load_scene(file));
+    scene_films().provide(options.scenes.back());
+  }
   require_tables(options);
   require_limits(options);
   require_data_options(options);

@@ -90,10 +90,16 @@ void add_coefficients(CLI::App& app, Action& action) {
       if (options->states.has_value() == options->speeds.has_value()) {
         throw std::invalid_argument("coefficients needs --states or --speeds; allowed is one of them");
       }
-      const reports::FilmInBearing film{options->law, options->bearing(), options->oil()};
+      const Bearing<double> bearing = options->bearing();
+      require_law_of_bearing(options->law, bearing);
+      const reports::FilmInBearing film = film_in_bearing(options->law, bearing, options->oil());
       const Rows rows = options->states ? of_states(*options, film) : of_speeds(*options, film);
-      const std::string warning = reports::stability_warning(options->law);
+      const std::string warning = reports::stability_warning(options->law, film.table.get());
       if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
+      double farthest = 0;
+      for (const reports::CoefficientRow& row : rows) farthest = std::max(farthest, row.eccentricity_ratio);
+      const std::string beyond = reports::beyond_table_note(film, farthest);
+      if (!beyond.empty()) std::cerr << "warning: " << beyond << '\n';
       std::cout << reports::coefficients_csv(film, rows, options->dimensionless);
       return compare(rows);
     };

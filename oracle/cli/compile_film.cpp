@@ -41,16 +41,13 @@ struct CompileOptions {
 
  private:
   static void require_shape(const std::string& name, double given) {
-    require_option(
-        name, given, given >= reports::least_compiled_shape && given <= reports::largest_compiled_shape,
-        fmt::format("a number from {} to {}", reports::least_compiled_shape, reports::largest_compiled_shape));
+    require_option(name, given, given >= least_compiled_shape && given <= largest_compiled_shape,
+                   fmt::format("a number from {} to {}", least_compiled_shape, largest_compiled_shape));
   }
 };
 
 int compile(const CompileOptions& options) {
-  std::vector<std::string_view> names;
-  for_each_film_law<CompiledLaws>([&]<class Law>() { names.push_back(Law::name); });
-  require_name("--film", options.film, names);
+  require_name("--film", options.film, names_of_laws<CompiledLaws>);
   const double shape = options.length_to_diameter();
   if (options.tolerance) {
     require_option("--tolerance", *options.tolerance, *options.tolerance > 0 && *options.tolerance < 1,

@@ -11,6 +11,7 @@
 #include "oracle/files/parallel.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/laws/film_store.hpp"
+#include "oracle/laws/scene_films.hpp"
 
 namespace lubjoint::cli {
 
@@ -28,6 +29,12 @@ inline reports::CompilerOptions compiler_with_progress(const std::string& film, 
 inline CompiledFilm film_for_user(const std::string& film, double shape) {
   return reports::film_at_hand(film, shape, reports::user_film_store(), compiler_with_progress(film, shape),
                                [](const std::string& text) { std::cerr << "warning: " << text << '\n'; });
+}
+
+/// Tables for all scenes of this program, from the user's store.
+inline reports::SceneFilms& scene_films() {
+  static reports::SceneFilms films(film_for_user);
+  return films;
 }
 
 /// What a user should know of a table, one line.

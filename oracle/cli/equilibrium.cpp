@@ -21,8 +21,11 @@ void add_equilibrium(CLI::App& app, Action& action) {
     action = [options] {
       const Scene scene = options->load();
       const JournalEquilibrium rest = journal_equilibrium(scene);
-      const std::string warning = reports::stability_warning(scene.joints.front().film);
+      const SceneJoint& joint = scene.joints.front();
+      const std::string warning = reports::stability_warning(joint.film, joint.table.get());
       if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
+      const std::string beyond = reports::beyond_table_warning(joint, joint.clearance * rest.eccentricity_ratio);
+      if (!beyond.empty()) std::cerr << beyond << '\n';
       if (options->json) {
         std::cout << reports::equilibrium_json(scene, rest).dump(2) << '\n';
       } else {

@@ -59,9 +59,8 @@ void answer_with_compiled_law(const std::string& name, const std::string& states
                               const Lubricant<double>& oil) {
   const double shape = length_to_diameter(bearing);
   require_option("--length over twice --radius", shape,
-                 shape >= reports::least_compiled_shape && shape <= reports::largest_compiled_shape,
-                 fmt::format("a number from {} to {} with {}", reports::least_compiled_shape,
-                             reports::largest_compiled_shape, name));
+                 shape >= least_compiled_shape && shape <= largest_compiled_shape,
+                 fmt::format("a number from {} to {} with {}", least_compiled_shape, largest_compiled_shape, name));
   CompiledFilm film;
   std::size_t beyond = 0;
   answer_stream("force", states_file, [&](reports::CsvStream& states, const auto& write) {
@@ -74,13 +73,6 @@ void answer_with_compiled_law(const std::string& name, const std::string& states
         "warning: {} of the states have an eccentricity ratio above {}, where that bound was not measured\n", beyond,
         film.ratio_limit);
   }
-}
-
-/// Names of all laws, compiled ones last.
-std::vector<std::string_view> names_of_all_laws() {
-  std::vector<std::string_view> names(names_of_laws<EveryFilmLaw>.begin(), names_of_laws<EveryFilmLaw>.end());
-  for_each_film_law<CompiledLaws>([&]<class Law>() { names.push_back(Law::name); });
-  return names;
 }
 
 }  // namespace
@@ -96,7 +88,7 @@ void add_force(CLI::App& app, Action& action) {
   options->add(*command);
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, names_of_all_laws());
+      require_name("--law", options->law, named_film_laws);
       const Bearing<double> bearing = options->bearing();
       const Lubricant<double> oil = options->oil();
       if (is_compiled_law(options->law)) {

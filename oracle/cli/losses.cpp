@@ -27,17 +27,19 @@ void add_losses(CLI::App& app, Action& action) {
                       "(half films: streaks behind the minimum film)");
   command->callback([options, &action] {
     action = [options] {
-      require_name("--law", options->law, every_law_names);
+      require_name("--law", options->law, named_film_laws);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
-      with_film_law<EveryFilmLaw>(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
+      with_film_law<NamedFilmLaws>(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
       const Bearing<double> bearing = options->bearing();
       require_law_of_bearing(options->law, bearing);
       const Lubricant<double> oil = options->oil();
+      reports::FilmInBearing film{options->law, bearing, oil};
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
+        film = film_in_bearing(options->law, bearing, oil);  // once there are states: it may take a minute
         constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
         answer_numbers(states, given, reports::loss_column_names, write, [&](const std::array<double, 6>& x) {
-          return reports::loss_columns(options->law, bearing, oil, shear, {{x[0], x[1]}, {x[2], x[3]}, x[4], x[5]});
+          return reports::loss_columns(film, shear, {{x[0], x[1]}, {x[2], x[3]}, x[4], x[5]});
         });
       });
       return 0;

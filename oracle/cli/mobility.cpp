@@ -27,11 +27,13 @@ void add_mobility(CLI::App& app, Action& action) {
       require_law_of_bearing(options->law, bearing);
       reports::require_mobility(options->law);
       const Lubricant<double> oil = options->oil();
+      reports::FilmInBearing film{options->law, bearing, oil};
       answer_stream("mobility", options->states, [&](reports::CsvStream& states, const auto& write) {
+        film = film_in_bearing(options->law, bearing, oil);  // once there are states: it may take a minute
         constexpr std::array given = {"ex_over_c", "ey_over_c", "fx", "fy"};
         answer_numbers(states, given, reports::mobility_column_names(options->law), write,
                        [&](const std::array<double, 4>& x) {
-                         return reports::mobility_columns(options->law, bearing, oil, {x[0], x[1]}, {x[2], x[3]});
+                         return reports::mobility_columns(film, {x[0], x[1]}, {x[2], x[3]});
                        });
       });
       const std::string note = reports::mobility_note(options->law);

@@ -4,6 +4,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/compiled_film.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"
@@ -63,6 +64,8 @@ int reproduce(const Options& options) {
   if (!warning.empty()) std::cout << warning << '\n';
   content.slider_crank = reports::run_example_2(options.scenes);
   std::cout << '\n' << reports::example_2_table(content.slider_crank);
+  content.real_films = reports::run_real_films(options.scenes, scene_films());
+  std::cout << '\n' << reports::real_films_table(*content.real_films);
   content.laws = reports::check_laws({});
   std::cout << '\n' << reports::law_check_table(content.laws);
   const fs::path ledger = reports::data_folder() / "proofs" / "ledger.json";

@@ -5,10 +5,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/results/late_extremes.hpp"
@@ -42,13 +43,13 @@ struct SceneOptions {
 
   /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
   void require() const {
-    if (law) require_name("--law", *law, every_law_names);
+    if (law) require_name("--law", *law, named_film_laws);
     if (integrator) require_name("--integrator", *integrator, integrator_names());
     if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
     if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
   }
 
-  /// Changes a scene. @throws std::invalid_argument
+  /// Changes a scene, and gives compiled laws their tables. @throws std::invalid_argument
   void change(Scene& scene) const {
     if (law) {
       const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
@@ -59,7 +60,7 @@ struct SceneOptions {
       for (SceneJoint& joint : scene.joints) {
         if (joint.film == no_film) continue;
         joint.film = *law;
-        with_film_law<EveryFilmLaw>(*law, [&]<class Law>() {
+        with_film_law<NamedFilmLaws>(*law, [&]<class Law>() {
           if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(joint.length / (2 * joint.journal_radius));
         });
       }
@@ -71,6 +72,7 @@ struct SceneOptions {
       require_option("--duration", *duration, *duration / scene.run.output_interval <= 1e7,
                      "at most ten million output intervals of the scene");
     }
+    scene_films().provide(scene);
   }
 };
 

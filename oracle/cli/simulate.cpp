@@ -5,6 +5,7 @@
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/model_error.hpp"
+#include "oracle/laws/scene_films.hpp"
 #include "oracle/results/film_resolution.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/late_extremes.hpp"
@@ -81,6 +82,7 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
           reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, run)),
           reports::resolution_warning(scene, joint, thinnest),
           reports::unseen_warning(scene, joint, run.outcome.integrator, thinnest),
+          reports::beyond_table_warning(joint, joint.clearance * run.max_eccentricity_ratio),
           reports::model_warning(joint, reports::visited_model_error(scene, run))});
     plot(scene, run, output);
     return run.outcome.status == RunStatus::finished ? 0 : 1;
@@ -96,6 +98,7 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
           reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(scene, j, run)),
           reports::resolution_warning(scene, joint, thinnest),
           reports::unseen_warning(scene, joint, run.outcome.integrator, thinnest),
+          reports::beyond_table_warning(joint, farthest.value),
           reports::model_warning(joint, reports::visited_model_error(scene, j, run))});
   }
   plot(scene, run, output);

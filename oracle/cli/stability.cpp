@@ -43,6 +43,7 @@ reports::RotorQuestion of_scene(const Options& options) {
   if (options.law) {
     for (SceneJoint& joint : scene.joints) joint.film = *options.law;
   }
+  scene_films().provide(scene);
   const JournalScene parts = journal_scene(scene);
   require_law_with_rest(scene.joints.front().film);
   const double load = parts.drive.load.norm();
@@ -52,7 +53,7 @@ reports::RotorQuestion of_scene(const Options& options) {
   }
   std::optional<double> mass;
   if (parts.drive.mass > 0) mass = parts.drive.mass;
-  return {{scene.joints.front().film, parts.bearing, parts.oil}, load, parts.drive.journal_spin, mass};
+  return {{scene.joints.front().film, parts.bearing, parts.oil, parts.table}, load, parts.drive.journal_spin, mass};
 }
 
 reports::RotorQuestion of_numbers(const Options& options) {
@@ -66,8 +67,9 @@ reports::RotorQuestion of_numbers(const Options& options) {
   if (!options.omega) throw std::invalid_argument("--omega is missing; required is a scene, or --omega [rad/s]");
   require_option("--omega", *options.omega, *options.omega != 0, "a finite spin other than 0 [rad/s]");
   if (options.mass) require_option("--mass", *options.mass, *options.mass > 0, "a finite number above 0 [kg]");
-  return {
-      {*options.law, {length, radius, clearance}, Lubricant<double>(viscosity)}, load, *options.omega, options.mass};
+  const Bearing<double> bearing(length, radius, clearance);
+  require_law_of_bearing(*options.law, bearing);
+  return {film_in_bearing(*options.law, bearing, Lubricant<double>(viscosity)), load, *options.omega, options.mass};
 }
 
 std::vector<double> positive_range(const std::string& option, const std::string& text) {
@@ -130,8 +132,10 @@ void add_stability(CLI::App& app, Action& action) {
         reports::draw_map(question, *map, *options->out, "stability");
         reports::write_file(std::filesystem::path(*options->out) / "stability.csv", reports::map_csv(question, *map));
       }
-      const std::string warning = reports::stability_warning(question.film.law);
+      const std::string warning = reports::stability_warning(question.film.law, question.film.table.get());
       if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
+      const std::string beyond = reports::beyond_table_note(question.film, answer.rest.eccentricity_ratio);
+      if (!beyond.empty()) std::cerr << "warning: " << beyond << '\n';
       if (options->json) {
         std::cout << reports::rotor_json(question, answer).dump(2) << '\n';
       } else {

@@ -5,14 +5,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"
+#include "oracle/files/parallel.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/verify/report.hpp"
+#include "oracle/verify/states/finite_film.hpp"
 #include "oracle/verify/states/foreign_program.hpp"
 #include "oracle/verify/trajectory/scene_suspects.hpp"
 #include "oracle/verify/trajectory/trajectory_report.hpp"
@@ -36,6 +38,7 @@ struct VerifyOptions {
   double unit = 1;  ///< of answers without dimensions, over S ω
   std::string only;
   bool steady = false;
+  std::string onset;     ///< of finite_reynolds
   std::string language;  ///< of the template to print
   bool list_mistakes = false;
   bool markdown = false;
@@ -81,17 +84,20 @@ void refuse_options_without_effect(const VerifyOptions& o) {
                  {"--scene", "--trajectory", "--law", "--golden", "--tolerance", "--json"});
   }
   if (!o.states_out.empty() && o.program.empty() && o.answers.empty()) {
-    return allow("with --states-out",
-                 {"--states-out", "--law", "--quantities", "--states", "--seed", "--golden", "--only", "--steady"});
+    return allow("with --states-out", {"--states-out", "--law", "--onset", "--quantities", "--states", "--seed",
+                                       "--golden", "--only", "--steady"});
   }
   if (!o.answers.empty() && o.program.empty()) {
-    return allow("with --answers", {"--answers", "--states-out", "--law", "--quantities", "--states", "--seed",
-                                    "--golden", "--tolerance", "--unit", "--only", "--steady", "--json"});
+    return allow("with --answers", {"--answers", "--states-out", "--law", "--onset", "--quantities", "--states",
+                                    "--seed", "--golden", "--tolerance", "--unit", "--only", "--steady", "--json"});
   }
   for (const std::string& name : o.given) {
     if (name == "--markdown") throw std::invalid_argument("--markdown does nothing without --list-mistakes");
   }
 }
+
+/// Is a film of finite length claimed, which the solver judges?
+bool claims_finite_film(const VerifyOptions& o) { return is_compiled_law(o.law); }
 
 void check(const VerifyOptions& o) {
   if (o.law.empty() && o.states_out.empty()) {
@@ -101,6 +107,8 @@ void check(const VerifyOptions& o) {
     std::vector<std::string_view> allowed = {"auto"};
     const auto& names = names_of_laws<StateFilmLaws>;
     allowed.insert(allowed.end(), names.begin(), names.end());
+    const auto& finite = names_of_laws<CompiledLaws>;
+    allowed.insert(allowed.end(), finite.begin(), finite.end());
     require_name("--law", o.law, allowed);
   }
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
@@ -195,6 +203,54 @@ std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities 
   return verify::states_to_verify(quantities, o.golden, o.states, o.seed, domain_of(o, quantities));
 }
 
+/// A film of finite length: its states, its judge and its report are its own.
+int run_finite(const VerifyOptions& o) {
+  for (const std::string& name : o.given) {
+    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--only", "--steady"}) {
+      if (name == other) throw std::invalid_argument(name + " does nothing with --law " + o.law);
+    }
+  }
+  const verify::Quantities quantities = verify::quantities_of(o.quantities);
+  verify::FiniteClaim claim{oracle::finite_film_of(o.law)};
+  if (!o.onset.empty()) {
+    require_name("--onset", o.onset, std::array<std::string_view, 2>{"free", "maximum_film"});
+    if (claim.film != oracle::FiniteFilm::finite_reynolds) {
+      throw std::invalid_argument("--onset does nothing with --law " + o.law + "; allowed is it with finite_reynolds");
+    }
+    if (o.onset == "maximum_film") claim.onset = oracle::FilmOnset::maximum_film;
+  }
+  std::vector<verify::State> states = verify::finite_states(quantities);
+  const std::string csv = verify::states_csv(quantities, states);
+  if (!o.states_out.empty()) {
+    if (o.states_out == "-") {
+      std::cout << csv;
+    } else {
+      reports::prepare_file(o.states_out);
+      reports::write_file(o.states_out, csv);
+    }
+    return 0;
+  }
+  try {
+    const bool from_file = !o.answers.empty();
+    const std::string text = from_file
+                                 ? reports::read_input(o.answers)
+                                 : verify::run_program(o.program, csv, {std::chrono::duration<double>(o.timeout)});
+    const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
+    verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
+    const auto result = verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers),
+                                                   o.tolerance.value_or(0), reports::available_cores());
+    if (o.json) {
+      std::cout << verify::json_report(result).dump(2) << '\n';
+    } else {
+      std::cout << verify::text_report(result);
+    }
+    if (result.accepted()) return 0;
+    return result.verdict == verify::Verdict::undecided ? 2 : 1;
+  } catch (const verify::UnjudgedError& error) {
+    return refuse(o, error);
+  }
+}
+
 int run(const VerifyOptions& o) {
   refuse_options_without_effect(o);
   if (o.list_mistakes) {
@@ -210,6 +266,8 @@ int run(const VerifyOptions& o) {
     }
   }
   check(o);
+  if (claims_finite_film(o)) return run_finite(o);
+  if (!o.onset.empty()) throw std::invalid_argument("--onset does nothing without --law finite_reynolds");
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
   std::vector<verify::State> states = states_of(o, quantities);
   if (!o.states_out.empty()) {
@@ -268,8 +326,12 @@ std::string described_quantities() {
 void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", words_of("verify"));
-  command->add_option("--law", options->law,
-                      "Film law that it claims, or auto: find out; with --scene, in place of the scene's");
+  command->add_option(
+      "--law", options->law,
+      "Film law that it claims, or auto: find out; with --scene, in place of the scene's. finite_full, "
+      "finite_half,\nfinite_dynamic or finite_reynolds: the film of the bearing's length, by the solver");
+  command->add_option("--onset", options->onset,
+                      "Where the film of finite_reynolds begins in steady rotation: free (default) or maximum_film");
   command->add_option("--quantities", options->quantities,
                       "cartesian, polar, wrench, transition, extent, pressure or dimensionless");
   command->add_option("--states", options->states, "Random states beside the golden and the designed ones")

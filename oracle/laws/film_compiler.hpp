@@ -9,10 +9,6 @@
 
 namespace lubjoint::reports {
 
-/// L/D for which films are compiled: beyond, no table was held against the solvers.
-inline constexpr double least_compiled_shape = 0.05;
-inline constexpr double largest_compiled_shape = 10;
-
 /// How a film is compiled.
 struct CompilerOptions {
   unsigned threads = 1;
@@ -29,7 +25,7 @@ struct CompilerOptions {
 /// finer grids, of which W⊥, too, is compared, though the table knows it only as a derivative. It is five times the
 /// worst difference seen.
 /// @param film   name of a compiled law (compiled_laws.hpp)
-/// @param shape  L/D, within the bounds above
+/// @param shape  L/D, from least_compiled_shape to largest_compiled_shape
 /// @throws std::invalid_argument for another film or shape
 CompiledFilm compile_film(std::string_view film, double shape, const CompilerOptions& options = {});
 

@@ -9,9 +9,11 @@
 
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/joint/kinematics.hpp"
+#include "lubjoint/multibody/joint_element.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/files/progress.hpp"
+#include "oracle/reynolds/finite_force.hpp"
 
 namespace lubjoint::reports {
 
@@ -180,21 +182,22 @@ namespace {
 VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<double>>& films) {
   const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
   const Lubricant<double> oil(joint.viscosity);
+  const AnyFilm<double> law = make_film(joint.film, bearing, oil, joint.table.get());
+  const double shape = length_to_diameter(bearing);
+  const double scale = force_scale(BearingLimit::long_bearing, bearing, oil);
   VisitedModelError result;
   std::vector<double> errors;
   for (const FilmState<double>& film : films) {
     const double ratio = film.eccentricity.norm();
     // A film at rest has no force to be wrong; beyond 0.99 the finite-length film is not resolved cheaply.
     if (is_zero(film.velocity) || is_zero(film.eccentricity) || !(ratio <= 0.99)) continue;
-    const PolarFilmState<double> state = polar_view(film).state;
-    const auto force =
-        finite_length_force(oracle::FiniteFilm::finite_reynolds, bearing, oil, state, {1e-2, oracle::FilmOnset::free});
-    const double error = with_film_law<EveryFilmLaw>(
-        joint.film, [&]<class Law>() { return difference(film_force<Law>(bearing, oil, state), force).error; });
+    const Vector2<double> force = scale * finite_force(oracle::FiniteFilm::finite_reynolds, shape, film, {1e-2}).ratio;
+    const Vector2<double> given = std::visit([&film](const auto& each) { return each.force(film); }, law);
+    const double error = (given - force).norm() / force.norm();
     errors.push_back(error);
     if (error > result.largest) {
       result.largest = error;
-      result.eccentricity_ratio_of_largest = state.eccentricity_ratio;
+      result.eccentricity_ratio_of_largest = ratio;
     }
   }
   result.states = errors.size();

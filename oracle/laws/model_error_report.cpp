@@ -4,7 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "lubjoint/film/law_list.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/model_error.hpp"
 #include "oracle/plot/gnuplot.hpp"
@@ -58,6 +58,12 @@ const LoadedState* find_state(const std::vector<LoadedState>& loaded, std::strin
   return found == loaded.end() ? nullptr : &*found;
 }
 
+/// The law that has the film of the bearing's real length, if it can be compiled; with a blank behind it.
+std::string remedy(double shape) {
+  if (!(shape >= least_compiled_shape && shape <= largest_compiled_shape)) return {};
+  return fmt::format("The law {} is the film of the real length, compiled for this L/D. ", FiniteReynolds::name);
+}
+
 /// The law with the least median against the film that ruptures as oil does, and what that costs at the load.
 std::string verdict(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
                     const std::vector<LoadedState>& loaded) {
@@ -92,19 +98,21 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
   if (fit != nullptr && fit->median < best->median) {
     text += fmt::format(". A fit is nearer: {}, median {}", fit->law, error_words(fit->median));
   }
-  return text + ".\n\n";
+  const std::string compiled = remedy(length_to_diameter(bearing));
+  return text + "." + (compiled.empty() ? "" : " ") + compiled.substr(0, compiled.find_last_not_of(' ') + 1) + "\n\n";
 }
 
 }  // namespace
 
 std::string model_warning(const SceneJoint& joint, const VisitedModelError& error) {
   if (error.states == 0 || error.median <= 0.25) return {};
+  const double shape = joint.length / (2 * joint.journal_radius);
   return fmt::format(
       "warning: at the states that this run visits, law {} of joint \"{}\" is off the force of a film of the "
-      "bearing's real length, L/D = {:.2f}, by {} (median of {} states; largest {}, at eccentricity ratio {:.3f}). "
+      "bearing's real length, L/D = {:.2f}, by {} (median of {} states; largest {}, at eccentricity ratio {:.3f}). {}"
       "lubjoint model-error says more.",
-      joint.film, joint.name, joint.length / (2 * joint.journal_radius), error_words(error.median), error.states,
-      error_words(error.largest), error.eccentricity_ratio_of_largest);
+      joint.film, joint.name, shape, error_words(error.median), error.states, error_words(error.largest),
+      error.eccentricity_ratio_of_largest, remedy(shape));
 }
 
 std::string model_warning(const std::vector<SceneJoint>& joints, const std::vector<VisitedModelError>& errors) {
@@ -115,12 +123,13 @@ std::string model_warning(const std::vector<SceneJoint>& joints, const std::vect
     if (doubtful++ == 0 || errors[i].median > errors[worst].median) worst = i;
   }
   if (doubtful == 0) return {};
+  const double shape = joints[worst].length / (2 * joints[worst].journal_radius);
   return fmt::format(
       "warning: {} of the {} laws are more than 25 % off the force of a film of the bearing's real length, L/D = "
       "{:.2f}, "
-      "at half of the states that their runs visit; the worst is {}, {} in the median. lubjoint model-error says more.",
-      doubtful, joints.size(), joints[worst].length / (2 * joints[worst].journal_radius), joints[worst].film,
-      error_words(errors[worst].median));
+      "at half of the states that their runs visit; the worst is {}, {} in the median. {}lubjoint model-error says "
+      "more.",
+      doubtful, joints.size(), shape, joints[worst].film, error_words(errors[worst].median), remedy(shape));
 }
 
 std::string model_error_table(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,

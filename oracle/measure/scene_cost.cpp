@@ -293,7 +293,7 @@ template <class Law>
 void measure_journal(const Scene& scene, SceneCost& cost, Measurement& measurement) {
   const JournalScene parts = journal_scene(scene);
   const auto journal = std::make_shared<FreeJournal<Law>>(
-      film_of<Law, double>(scene.joints.front().film, parts.bearing, parts.oil), parts.drive);
+      film_of<Law, double>(parts.law, parts.bearing, parts.oil, parts.table.get()), parts.drive);
   cost.coordinates = 2;
   cost.states = 4;
   cost.film_jumps = FilmOf<Law, double>::jumps ? 1 : 0;
@@ -328,9 +328,8 @@ SceneCost scene_cost(const Scene& scene, std::size_t rounds) {
   count_scene(scene, cost);
   Measurement measurement;
   if (cost.free_journal) {
-    with_film_law<EveryFilmLaw>(scene.joints.front().film, [&]<class Law>() {
-      measure_journal<RunLaw<Law>>(scene, cost, measurement);
-    });
+    with_film_law<NamedFilmLaws>(scene.joints.front().film,
+                                 [&]<class Law>() { measure_journal<RunLaw<Law>>(scene, cost, measurement); });
   } else {
     measure_general(scene, cost, measurement);
   }

@@ -90,6 +90,41 @@ std::string visited_table(const Content& content) {
   return table.html();
 }
 
+/// Both examples with films of finite length; nothing where they were not run.
+std::string real_films_tables(const std::optional<RealFilms>& films) {
+  if (!films) return {};
+  Table journal("Example 1 with the film of the bearing’s real length", {{"film", {}, false},
+                                                                         {"verdict", {}, false},
+                                                                         {"rests at ε", "–"},
+                                                                         {"attitude", "°"},
+                                                                         {"largest ε", "–"},
+                                                                         {"largest force", "N"}});
+  for (const RealFilmJournal& item : films->journal) {
+    journal.row({item.scene.joints.front().film, agreement(item.verdict),
+                 fmt::format("{:.4f}", item.rest.eccentricity_ratio),
+                 fmt::format("{:.2f}", degrees * item.rest.attitude),
+                 fmt::format("{:.4f}", item.run.max_eccentricity_ratio), fmt::format("{:.3f}", item.run.max_force)});
+  }
+  Table crank("Example 2 with it, c = 0.2 mm, 0.4 Pa·s: extremes of both revolutions", {{"film", {}, false},
+                                                                                        {"verdict", {}, false},
+                                                                                        {"largest ε", "–"},
+                                                                                        {"least film", "µm"},
+                                                                                        {"largest force", "N"},
+                                                                                        {"largest moment", "N·m"},
+                                                                                        {"least moment", "N·m"}});
+  for (const RealFilmCrank& item : films->crank) {
+    const double clearance = item.scene.joints.front().clearance;
+    const double farthest = item.run.joints.front().eccentricity.value;
+    const DriverExtremes& moment = item.run.drivers.front();
+    crank.row({item.scene.joints.front().film, agreement(item.verdict), fmt::format("{:.4f}", farthest / clearance),
+               fmt::format("{:.3f}", 1e6 * (clearance - farthest)),
+               fmt::format("{:.2f}", item.run.joints.front().force.value),
+               fmt::format("{:.3f}", moment.max_moment.value), fmt::format("{:.3f}", moment.min_moment.value)});
+  }
+  return journal.html() + checks_table("Example 1: what the letters stand for", films->journal_verdicts()) +
+         crank.html() + checks_table("Example 2: what the letters stand for", films->crank_verdicts());
+}
+
 std::string summary_table(const std::vector<ModelErrorEntry>& map) {
   Table table("Each law against films of finite length: |F_law − F|/|F| over the states of the grid below",
               {{"film", {}, false},
@@ -145,6 +180,7 @@ Section model_error_section(const Content& content) {
           filled("model-error.html",
                  {{"ratio", fmt::format("{:.2f}", content.model_error.length_to_diameter)},
                   {"loaded", loaded_table(content.model_error.loaded)},
+                  {"real", real_films_tables(content.real_films)},
                   {"visited", visited_table(content)},
                   {"summary", summary_table(content.model_error.map)},
                   {"key", key},

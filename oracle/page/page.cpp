@@ -13,7 +13,8 @@ namespace lubjoint::reports::page {
 
 bool Content::passed() const {
   const bool proved = !proofs || proofs->closes();
-  return journal.passed() && slider_crank.passed() && laws.passed() && proved;
+  const bool real = !real_films || real_films->passed();
+  return journal.passed() && slider_crank.passed() && laws.passed() && real && proved;
 }
 
 bool Content::stored_runs_are_right() const {

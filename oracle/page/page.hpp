@@ -19,6 +19,7 @@
 #include "oracle/page/run_data.hpp"
 #include "oracle/paper/example_1.hpp"
 #include "oracle/paper/example_2.hpp"
+#include "oracle/paper/real_film.hpp"
 
 namespace lubjoint::reports::page {
 
@@ -36,9 +37,10 @@ struct Content {
   Example2 slider_crank;
   LawChecks laws;
   BearingModelError model_error;
-  std::optional<ProofLedger> proofs;   ///< the stored ledger, where it is there
-  std::optional<RunTimes> run_times;   ///< error against run time, where it was measured
-  std::optional<Stability> stability;  ///< extreme cases, where they were run
+  std::optional<RealFilms> real_films;  ///< both examples with films of finite length, where they were run
+  std::optional<ProofLedger> proofs;    ///< the stored ledger, where it is there
+  std::optional<RunTimes> run_times;    ///< error against run time, where it was measured
+  std::optional<Stability> stability;   ///< extreme cases, where they were run
   Provenance provenance;
 
   /// Did everything that this run checked agree? What it did not check does not count, nor do stored runs.

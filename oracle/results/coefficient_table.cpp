@@ -15,14 +15,13 @@ namespace {
 
 using Wide = long double;
 
-template <FilmLaw Law>
-CoefficientRow row_at(const FilmInBearing& film, const SteadyPlace<Wide>& place, double omega) {
+CoefficientRow row_at(const FilmInBearing& film, const SteadyLaw& law, const SteadyPlace<Wide>& place, double omega) {
   const Bearing<Wide> bearing(film.bearing.length(), film.bearing.radius(), film.bearing.clearance());
   const int sign = omega < 0 ? -1 : 1;
-  const CoefficientRatios<Wide> differentiated = differentiated_coefficients<Law>(place, sign);
-  const CoefficientRatios<Wide> ratios = coefficient_ratios<Law>(place, sign);
-  const SteadyFilm<Wide> rest =
-      steady_film<Law, Wide>(bearing, Lubricant<Wide>(film.oil.viscosity()), place, Wide(omega), ratios);
+  const CoefficientRatios<Wide> differentiated = law.differentiated(place, sign);
+  const CoefficientRatios<Wide> ratios = law.coefficients(place, sign);
+  const Wide scale = force_scale(law.limit, bearing, Lubricant<Wide>(film.oil.viscosity()));
+  const SteadyFilm<Wide> rest = steady_film_of<Wide>(bearing, scale, law.force_ratio, place, Wide(omega), ratios);
   const auto narrow = [](const Wide& value) { return static_cast<double>(value); };
   CoefficientRow row{narrow(place.eccentricity_ratio),
                      omega,
@@ -41,18 +40,17 @@ CoefficientRow row_at(const FilmInBearing& film, const SteadyPlace<Wide>& place,
 
 CoefficientRow coefficients_at(const FilmInBearing& film, double eccentricity_ratio, double omega) {
   const SteadyPlace<Wide> place{Wide(eccentricity_ratio)};
-  return with_film_law(film.law, [&]<class Law>() { return row_at<Law>(film, place, omega); });
+  return row_at(film, steady_law(film.law, film.table.get()), place, omega);
 }
 
 std::optional<CoefficientRow> coefficients_under(const FilmInBearing& film, double load, double omega) {
-  return with_film_law(film.law, [&]<class Law>() -> std::optional<CoefficientRow> {
-    const double scale = force_scale(Law::limit, film.bearing, film.oil);
-    const auto place = steady_place<Law, Wide>(Wide(load) / scale / std::abs(Wide(omega)));
-    if (!place) return std::nullopt;
-    CoefficientRow row = row_at<Law>(film, *place, omega);
-    row.load = load;
-    return row;
-  });
+  const SteadyLaw law = steady_law(film.law, film.table.get());
+  const double scale = force_scale(law.limit, film.bearing, film.oil);
+  const auto place = steady_place_of(law.force_ratio, Wide(load) / scale / std::abs(Wide(omega)));
+  if (!place) return std::nullopt;
+  CoefficientRow row = row_at(film, law, *place, omega);
+  row.load = load;
+  return row;
 }
 
 std::string coefficients_csv(const FilmInBearing& film, const std::vector<CoefficientRow>& rows, bool dimensionless) {
@@ -81,22 +79,30 @@ std::string coefficients_csv(const FilmInBearing& film, const std::vector<Coeffi
   return csv;
 }
 
-double whirl_ratio_at_the_centre(std::string_view law) {
-  return with_film_law(law, []<class Law>() {
-    const SteadyPlace<Wide> place(Wide(1e-9));  // what is left of ε is of order ε
-    const CoefficientRatios<Wide> ratios = coefficient_ratios<Law>(place, 1);
-    return static_cast<double>(*routh_threshold<Wide>(ratios.stiffness, ratios.damping).whirl_frequency);
-  });
+double whirl_ratio_at_the_centre(std::string_view law, const CompiledFilm* table) {
+  const SteadyPlace<Wide> place(Wide(1e-9));  // what is left of ε is of order ε
+  const CoefficientRatios<Wide> ratios = steady_law(law, table).coefficients(place, 1);
+  return static_cast<double>(*routh_threshold<Wide>(ratios.stiffness, ratios.damping).whirl_frequency);
 }
 
-std::string stability_warning(std::string_view law) {
-  const double whirl = whirl_ratio_at_the_centre(law);
+std::string stability_warning(std::string_view law, const CompiledFilm* table) {
+  const double whirl = whirl_ratio_at_the_centre(law, table);
   if (std::abs(whirl - 0.5) < 1e-6) return {};  // ε is 1e-9 there
   return fmt::format(
       "{} whirls at {:.3f} times the spin as the eccentricity goes to 0, where every film that is isotropic at the "
       "centre whirls at half of it: its damping there depends on the direction of e. For stability use a law without "
       "this fault, such as {}",
-      law, whirl, law_facts(law).is_short() ? "short_dynamic" : "long_dynamic");
+      law, whirl,
+      table != nullptr            ? "finite_dynamic"
+      : law_facts(law).is_short() ? "short_dynamic"
+                                  : "long_dynamic");
+}
+
+std::string beyond_table_note(const FilmInBearing& film, double eccentricity_ratio) {
+  if (film.table == nullptr || eccentricity_ratio <= film.table->ratio_limit) return {};
+  return fmt::format(
+      "the error of {}, {:.1e} of |F|, was measured up to eccentricity ratio {:g}, and is not known at {:g}", film.law,
+      film.table->error, film.table->ratio_limit, eccentricity_ratio);
 }
 
 }  // namespace lubjoint::reports

@@ -96,7 +96,7 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
   };
   nlohmann::ordered_json eigenvalues = nlohmann::ordered_json::array();
   for (const auto& value : rest.eigenvalues) eigenvalues.push_back({{"re", value.real()}, {"im", value.imag()}});
-  const std::string warning = stability_warning(scene.joints.front().film);
+  const std::string warning = stability_warning(scene.joints.front().film, scene.joints.front().table.get());
   return {{"scene", scene.name},
           {"law", scene.joints.front().film},
           {"eccentricity_ratio", rest.eccentricity_ratio},

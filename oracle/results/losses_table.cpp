@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/joint/chosen_film.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {
@@ -25,12 +25,25 @@ bool is_steady(const FilmState<Wide>& film) {
   return std::abs(along) <= 8 * Wide(std::numeric_limits<double>::epsilon()) * terms;  // rounding of the given doubles
 }
 
-template <AnyFilmLaw Law>
+/// Force on the journal [N].
+template <class Law>
+Vector2<Wide> force_on_journal(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const FilmState<Wide>& film,
+                               [[maybe_unused]] const CompiledFilm* table) {
+  if constexpr (CompiledLaw<Law>) {
+    return film_force(Law(table_of<Law>(table)), bearing, oil, film);
+  } else {
+    return film_force<Law>(bearing, oil, film);
+  }
+}
+
+template <class Law>
 LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const JournalMotion<Wide>& motion,
-                 ShearExtent shear) {
+                 ShearExtent shear, const CompiledFilm* table) {
   const FilmState<Wide> film = film_state(motion, bearing.clearance());
   const Wide relative_spin = motion.journal_spin - motion.bearing_spin;
-  const FilmLosses<Wide> losses = film_losses<Law, Wide>(bearing, oil, film, relative_spin, shear);
+  const Wide rate = couette_scale(bearing, oil) * couette_integral<Law>(film, shear);
+  const FilmLosses<Wide> losses =
+      losses_of<Wide>(force_on_journal<Law>(bearing, oil, film, table), film, bearing.clearance(), rate, relative_spin);
   LossRow row{losses.force.x(), losses.force.y(), {}, {}, {}, side_flow<Law>(bearing, film)};
   if (shear == ShearExtent::striated && !is_steady(film)) return row;
   row[2] = losses.torque_journal;
@@ -41,15 +54,14 @@ LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const
 
 }  // namespace
 
-std::string loss_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
-                         ShearExtent shear, const JournalMotion<double>& motion) {
-  const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
-  const Lubricant<Wide> wide_oil(oil.viscosity());
+std::string loss_columns(const FilmInBearing& film, ShearExtent shear, const JournalMotion<double>& motion) {
+  const Bearing<Wide> wide_bearing(film.bearing.length(), film.bearing.radius(), film.bearing.clearance());
+  const Lubricant<Wide> wide_oil(film.oil.viscosity());
   const JournalMotion<Wide> wide{Vector2<Wide>(motion.eccentricity.x(), motion.eccentricity.y()),
                                  Vector2<Wide>(motion.velocity.x(), motion.velocity.y()), motion.bearing_spin,
                                  motion.journal_spin};
-  const LossRow row =
-      with_film_law<EveryFilmLaw>(law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, wide, shear); });
+  const LossRow row = with_film_law<NamedFilmLaws>(
+      film.law, [&]<class Law>() { return loss_row<Law>(wide_bearing, wide_oil, wide, shear, film.table.get()); });
   std::string fields;
   for (const std::optional<Wide>& value : row) {
     fields += ',';

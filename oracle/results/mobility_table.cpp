@@ -4,9 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/every_law.hpp"
-#include "lubjoint/film/mobility.hpp"
 #include "lubjoint/film/shaped_mobility.hpp"
+#include "lubjoint/joint/chosen_film.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {
@@ -31,7 +30,7 @@ std::string fields(const Velocity& velocity) {
 }
 
 bool can_have_two(std::string_view law) {
-  return with_film_law<EveryFilmLaw>(law, []<class Law>() { return Law::extent == FilmExtent::half; });
+  return with_film_law<NamedFilmLaws>(law, []<class Law>() { return Law::extent == FilmExtent::half; });
 }
 
 }  // namespace
@@ -42,15 +41,21 @@ std::vector<std::string> mobility_column_names(std::string_view law) {
   return names;
 }
 
-std::string mobility_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
-                             const Vector2<double>& e_hat, const Vector2<double>& force) {
-  const Bearing<Wide> wide_bearing(bearing.length(), bearing.radius(), bearing.clearance());
-  const Lubricant<Wide> wide_oil(oil.viscosity());
+std::string mobility_columns(const FilmInBearing& film, const Vector2<double>& e_hat, const Vector2<double>& force) {
+  const std::string& law = film.law;
+  const Bearing<Wide> wide_bearing(film.bearing.length(), film.bearing.radius(), film.bearing.clearance());
+  const Lubricant<Wide> wide_oil(film.oil.viscosity());
   const Vector2<Wide> wide_place(e_hat.x(), e_hat.y());
   const Vector2<Wide> wide_force(force.x(), force.y());
-  const Mobility<Wide> found = with_film_law<EveryFilmLaw>(law, [&]<class Law>() -> Mobility<Wide> {
+  const Mobility<Wide> found = with_film_law<NamedFilmLaws>(law, [&]<class Law>() -> Mobility<Wide> {
     if constexpr (FilmLaw<Law>) {
       return mobility<Law>(wide_bearing, wide_oil, wide_place, wide_force);
+    } else if constexpr (CompiledLaw<Law>) {
+      const Law compiled(table_of<Law>(film.table.get()));
+      require_shape_of(compiled, wide_bearing);
+      const Wide q = one_minus_squared_norm<Wide>(wide_place.x(), wide_place.y());
+      const Vector2<Wide> ratio = wide_force / force_scale(Law::limit, wide_bearing, wide_oil);
+      return compiled_mobility(compiled, wide_place, q, ratio);
     } else if constexpr (std::is_same_v<Law, MoesImpedance>) {
       const Wide q = one_minus_squared_norm<Wide>(wide_place.x(), wide_place.y());
       const Vector2<Wide> ratio = wide_force / force_scale(Law::limit, wide_bearing, wide_oil);
@@ -72,7 +77,7 @@ void require_mobility(std::string_view law) {
 }
 
 std::string mobility_note(std::string_view law) {
-  const bool open = with_film_law<EveryFilmLaw>(
+  const bool open = with_film_law<NamedFilmLaws>(
       law, []<class Law>() { return Law::potential == Potential::none && Law::extent != FilmExtent::half; });
   if (!open) return {};
   return std::string(law) + ": a velocity exists for every force; that it is the only one is measured, not proved";

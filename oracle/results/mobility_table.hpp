@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lubjoint/film/bearing.hpp"
 #include "lubjoint/number/vector.hpp"
+#include "oracle/results/film_in_bearing.hpp"
 
 namespace lubjoint::reports {
 
@@ -17,8 +17,7 @@ std::vector<std::string> mobility_column_names(std::string_view law);
 /// Those of a place ê and a force on the journal [N], each behind its comma; from the law in extended precision,
 /// rounded once. What there is not is empty.
 /// @throws FilmDomainError where there is no film, std::range_error if a velocity leaves the range of double
-std::string mobility_columns(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
-                             const Vector2<double>& e_hat, const Vector2<double>& force);
+std::string mobility_columns(const FilmInBearing& film, const Vector2<double>& e_hat, const Vector2<double>& force);
 
 /// Refuses a law that has no inverse. @throws std::invalid_argument
 void require_mobility(std::string_view law);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 
 namespace lubjoint::reports {
@@ -75,7 +75,7 @@ std::vector<std::string> law_warnings(const Scene& scene) {
   std::vector<std::string> warnings;
   for (const SceneJoint& joint : scene.joints) {
     if (joint.film == no_film) continue;
-    with_film_law<EveryFilmLaw>(joint.film, [&]<class Law>() {
+    with_film_law<NamedFilmLaws>(joint.film, [&]<class Law>() {
       if constexpr (ShapedFilmLaw<Law>) {
         const std::string warning = Law::warning(joint.length / (2 * joint.journal_radius));
         if (!warning.empty()) warnings.push_back(fmt::format("warning: joint \"{}\": {}", joint.name, warning));

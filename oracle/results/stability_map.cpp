@@ -26,17 +26,17 @@ RotorMode<Wide> mode_of(const CoefficientRow& rest, double mass) {
 }
 
 /// Where stability changes along ε, at the speed W/(S f(ε)) that each ε takes, f = |F|/(Sω).
-template <FilmLaw Law>
 std::vector<CriticalSpeed> critical_speeds(const RotorQuestion& question) {
-  const Wide scale = force_scale(Law::limit, question.film.bearing, question.film.oil);
+  const SteadyLaw law = steady_law(question.film.law, question.film.table.get());
+  const Wide scale = force_scale(law.limit, question.film.bearing, question.film.oil);
   const Wide clearance = question.film.bearing.clearance();
   const auto speed_at = [&](const SteadyPlace<Wide>& place) {
-    const PolarForce<Wide> f = polar_force_ratio<Law>(place.film(1));
+    const PolarForce<Wide> f = law.force_ratio(place.film(1));
     return Wide(question.load / (scale * std::hypot(f.radial, f.tangential)));
   };
   const auto is_stable = [&](Wide logit) {
     const SteadyPlace<Wide> place = detail::place_at_logit(logit);
-    const CoefficientRatios<Wide> ratios = coefficient_ratios<Law>(place, 1);
+    const CoefficientRatios<Wide> ratios = law.coefficients(place, 1);
     const RotorThreshold<Wide> threshold = routh_threshold<Wide>(ratios.stiffness, ratios.damping);
     return Wide(*question.mass) * clearance * speed_at(place) / scale < threshold.critical_mass;
   };
@@ -107,8 +107,7 @@ RotorAnswer rotor_answer(const RotorQuestion& question) {
   }
   if (!question.mass) return answer;
   answer.stability = rotor_stability(answer.rest, *question.mass);
-  answer.critical_speeds =
-      with_film_law(question.film.law, [&]<class Law>() { return critical_speeds<Law>(question); });
+  answer.critical_speeds = critical_speeds(question);
   return answer;
 }
 
@@ -142,7 +141,7 @@ nlohmann::ordered_json rotor_json(const RotorQuestion& question, const RotorAnsw
   for (const CriticalSpeed& each : answer.critical_speeds) {
     speeds.push_back({{"omega", each.omega}, {"stable_below", each.stable_below}});
   }
-  const std::string warning = stability_warning(question.film.law);
+  const std::string warning = stability_warning(question.film.law, question.film.table.get());
   return {{"law", question.film.law},
           {"load", question.load},
           {"omega", question.omega},

@@ -26,9 +26,9 @@ std::unique_ptr<Integrator<Real, N>> integrator_of(ExtendedMethod method, const 
 template <class Law>
 class ExtendedJournal final : public OdeSystem<Real, 4> {
  public:
-  ExtendedJournal(const std::string& law, const JournalScene& p)
-      : journal_(film_of<Law, Real>(law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
-                                    Lubricant<Real>(p.oil.viscosity())),
+  explicit ExtendedJournal(const JournalScene& p)
+      : journal_(film_of<Law, Real>(p.law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
+                                    Lubricant<Real>(p.oil.viscosity()), p.table.get()),
                  {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
   void rate(const State& y, State& dydt, const Real&) override { journal_.rate(y, dydt); }
   void jacobian(const State& y, Jacobian& j, const Real&) override {
@@ -49,11 +49,11 @@ double extended_tolerance(ExtendedMethod method) {
 
 Reference extended_journal_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method) {
   const JournalScene parts = journal_scene(scene);
-  return with_film_law<EveryFilmLaw>(scene.joints[0].film, [&]<class Law>() -> Reference {
-    if constexpr (HalfFilmLaw<Law>) {
+  return with_film_law<NamedFilmLaws>(scene.joints[0].film, [&]<class Law>() -> Reference {
+    if constexpr (JumpingLaw<Law>) {
       throw std::invalid_argument(std::string(Law::name) + ": allowed here are laws without a jump");
     } else {
-      ExtendedJournal<RunLaw<Law>> system(scene.joints[0].film, parts);
+      ExtendedJournal<RunLaw<Law>> system(parts);
       const Real tolerance(extended_tolerance(method));
       const Real velocity = tolerance * 1000;  // rates of ê reach thousands a second
       const auto integrator =

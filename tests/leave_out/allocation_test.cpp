@@ -12,6 +12,7 @@
 #include "lubjoint/ode/radau_iia5.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
+#include "support/compiled_films.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::test;
@@ -101,6 +102,29 @@ TEST_CASE("no film law allocates, on numbers or with derivatives") {
     CHECK(taken == 0);
     CHECK(std::isfinite(sum));
   });
+}
+
+TEST_CASE("no compiled law allocates, on numbers or with derivatives, also where a joint holds it") {
+  const Bearing<double> bearing(0.04, 0.0098, 2e-4);
+  const Lubricant<double> oil(0.4);
+  for (const std::string_view law : names_of_laws<CompiledLaws>) {
+    INFO(law);
+    const AnyFilm<double> joint = make_film(law, bearing, oil, shipped_film(law, shipped_scenes_shape).get());
+    double sum = 0;
+    const std::size_t taken = allocations_of([&] {
+      for (const double epsilon : {0.0, 1e-300, 0.3, 0.99, 1 - 1e-12}) {
+        for (const double speed : {0.0, 1e-300, -2.0, 5.0}) {
+          const FilmState<double> film(Vector2<double>(epsilon, 0), Vector2<double>(speed, 0.5 * speed));
+          const FilmState<T> dual(Vector2<T>(T::variable(epsilon, 0), T::variable(0, 1)),
+                                  Vector2<T>(T::variable(speed, 2), T::variable(0.5 * speed, 3)));
+          sum +=
+              std::visit([&](const auto& each) { return each.force(film).x() + each.force(dual).y().value(); }, joint);
+        }
+      }
+    });
+    CHECK(taken == 0);
+    CHECK(std::isfinite(sum));
+  }
 }
 
 TEST_CASE("a free journal's Radau steps allocate nothing after the first") {

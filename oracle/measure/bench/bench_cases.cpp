@@ -235,14 +235,15 @@ double worst_difference(const Reference& one, const Reference& other) {
 std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<double>& times,
                                         const Reference& reference) {
   const JournalScene parts = journal_scene(scene);
-  return with_film_law<EveryFilmLaw>(scene.joints[0].film, [&]<class Law>() -> std::unique_ptr<BenchCase> {
-    if constexpr (HalfFilmLaw<Law>) {
+  return with_film_law<NamedFilmLaws>(scene.joints[0].film, [&]<class Law>() -> std::unique_ptr<BenchCase> {
+    if constexpr (JumpingLaw<Law>) {
       throw std::invalid_argument(std::string(Law::name) +
                                   ": its force jumps, and a race of steps alone has no events; allowed are laws "
                                   "without a jump, such as its dynamic film");
     } else {
       using Run = RunLaw<Law>;
-      const FreeJournal<Run> journal(film_of<Run, double>(scene.joints[0].film, parts.bearing, parts.oil), parts.drive);
+      const FreeJournal<Run> journal(film_of<Run, double>(parts.law, parts.bearing, parts.oil, parts.table.get()),
+                                     parts.drive);
       return std::make_unique<RaceCase<4>>("journal", std::make_unique<JournalProblem<Run>>(journal, parts.start),
                                            scene.run.duration, times, reference);
     }

@@ -201,10 +201,11 @@ concept HasClosedCoefficients = requires(const SteadyPlace<double>& place) {
   { ClosedCoefficients<Law>::at(place) } -> std::same_as<CoefficientRatios<double>>;
 };
 
-/// Coefficients by differentiation of the law itself, exact to rounding.
-/// @param spin_sign  1 or −1: of ω
-template <FilmLaw Law, class R>
-CoefficientRatios<R> differentiated_coefficients(const SteadyPlace<R>& place, int spin_sign) {
+/// Coefficients by differentiation of a law, exact to rounding.
+/// @param force_ratio  F/S of a film state of any scalar;  @param spin_sign  1 or −1: of ω
+template <class R, class Force>
+CoefficientRatios<R> differentiated_coefficients_of(const Force& force_ratio, const SteadyPlace<R>& place,
+                                                    int spin_sign) {
   using D = Dual<R, 4>;  // ê along r and t, then v/c likewise
   const R& epsilon = place.eccentricity_ratio;
   const Vector2<D> e(D::variable(epsilon, 0), D::variable(R(0), 1));
@@ -212,13 +213,19 @@ CoefficientRatios<R> differentiated_coefficients(const SteadyPlace<R>& place, in
   const Vector2<D> u(D(D::variable(R(0), 2) + half_spin * e.y()), D(D::variable(R(0), 3) - half_spin * e.x()));
   D q(place.q);
   q.derivatives()(0) = -2 * epsilon;
-  const Vector2<D> force = force_ratio<Law>(FilmState<D>(e, u, q));
+  const Vector2<D> force = force_ratio(FilmState<D>(e, u, q));
   CoefficientRatios<R> ratios;
   for (int i = 0; i < 2; ++i) {
     ratios.stiffness.row(i) = -force(i).derivatives().template head<2>().transpose();
     ratios.damping.row(i) = -force(i).derivatives().template tail<2>().transpose();
   }
   return ratios;
+}
+
+/// The same of a law that is a formula.
+template <FilmLaw Law, class R>
+CoefficientRatios<R> differentiated_coefficients(const SteadyPlace<R>& place, int spin_sign) {
+  return differentiated_coefficients_of([](const auto& film) { return force_ratio<Law>(film); }, place, spin_sign);
 }
 
 /// Coefficients of a law: closed where it has them, differentiated otherwise.
@@ -256,11 +263,11 @@ struct SteadyFilm {
 };
 
 /// The steady film of ratios in (r, t).
-/// @param ratios  of this spin's sign
+/// @param scale  S [N s];  @param force_ratio  F/S of a PolarFilmState<R>;  @param ratios  of this spin's sign
 /// @throws FilmDomainError unless ω is finite and not 0
-template <FilmLaw Law, class R>
-SteadyFilm<R> steady_film(const Bearing<R>& bearing, const Lubricant<R>& oil, const SteadyPlace<R>& place,
-                          const R& spin, const CoefficientRatios<R>& ratios) {
+template <class R, class Force>
+SteadyFilm<R> steady_film_of(const Bearing<R>& bearing, const R& scale, const Force& force_ratio,
+                             const SteadyPlace<R>& place, const R& spin, const CoefficientRatios<R>& ratios) {
   using std::abs;
   using std::atan2;
   using std::hypot;
@@ -271,13 +278,12 @@ SteadyFilm<R> steady_film(const Bearing<R>& bearing, const Lubricant<R>& oil, co
     throw FilmDomainError(message.str());
   }
   const int sign = spin < 0 ? -1 : 1;
-  const PolarForce<R> f = polar_force_ratio<Law>(place.film(sign));
+  const PolarForce<R> f = force_ratio(place.film(sign));
   const R size = hypot(f.radial, f.tangential);
   const R along = -f.radial / size;
   const R across = -f.tangential / size;
   Eigen::Matrix<R, 2, 2> frame;  // columns: x and y in (r, t)
   frame << along, -across, across, along;
-  const R scale = force_scale(Law::limit, bearing, oil);
   const R spin_rate = abs(spin);
   const R damping_unit = scale / bearing.clearance();
   const R stiffness_unit = damping_unit * spin_rate;
@@ -292,6 +298,14 @@ SteadyFilm<R> steady_film(const Bearing<R>& bearing, const Lubricant<R>& oil, co
           stiffness_unit * (frame.transpose() * ratios.stiffness * frame),
           damping_unit * (frame.transpose() * ratios.damping * frame),
           threshold};
+}
+
+/// The same of a law that is a formula.
+template <FilmLaw Law, class R>
+SteadyFilm<R> steady_film(const Bearing<R>& bearing, const Lubricant<R>& oil, const SteadyPlace<R>& place,
+                          const R& spin, const CoefficientRatios<R>& ratios) {
+  const auto force_ratio = [](const PolarFilmState<R>& film) { return polar_force_ratio<Law>(film); };
+  return steady_film_of<R>(bearing, force_scale(Law::limit, bearing, oil), force_ratio, place, spin, ratios);
 }
 
 /// The same with the law's own coefficients.

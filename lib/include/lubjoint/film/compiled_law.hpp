@@ -22,6 +22,10 @@ struct CompiledFilm {
   std::vector<double> coefficients;  ///< of the law's series, in its order
 };
 
+/// L/D for which films are compiled: beyond, no table was held against the solvers.
+inline constexpr double least_compiled_shape = 0.05;
+inline constexpr double largest_compiled_shape = 10;
+
 /// A law that is an object, made for one L/D: it gives F/S as a law of law.hpp does.
 template <class Law>
 concept CompiledLaw = std::constructible_from<Law, const CompiledFilm&> && requires(const Law& law) {
@@ -35,6 +39,12 @@ concept CompiledLaw = std::constructible_from<Law, const CompiledFilm&> && requi
 template <class Law>
 concept CompiledPolarLaw = CompiledLaw<Law> && requires(const Law& law, const PolarFilmState<double>& state) {
   { law.force_ratio(state, HalfFilmSide::converging) } -> std::same_as<PolarForce<double>>;
+};
+
+/// A compiled half film: its force jumps where a changes sign, and what it does on either side can be asked for.
+template <class Law>
+concept CompiledHalfFilmLaw = CompiledPolarLaw<Law> && requires {
+  requires Law::extent == FilmExtent::half;
 };
 
 namespace detail {
@@ -96,6 +106,17 @@ Vector2<T> compiled_force_ratio(const Law& law, const FilmState<T>& film) {
   return is_zero(film.velocity) ? detail::force_ratio_at_rest(film, in_motion) : in_motion(film);
 }
 
+/// The same in polar components; the radial direction is the caller's, also at ε = 0.
+template <CompiledLaw Law, class T>
+PolarForce<T> compiled_polar_force_ratio(const Law& law, const PolarFilmState<T>& state) {
+  if constexpr (CompiledPolarLaw<Law>) {
+    return law.force_ratio(state, side_of(state));
+  } else {
+    const Vector2<T> ratio = compiled_force_ratio(law, state.in_own_frame());
+    return {ratio.x(), ratio.y()};
+  }
+}
+
 /// Force of the film on the journal [N], in the frame of the state.
 /// @throws std::invalid_argument if the law was compiled for another L/D
 template <CompiledLaw Law, class T>
@@ -112,15 +133,10 @@ Vector2<T> film_force(const Law& law, const Bearing<RealOf<T>>& bearing, const L
 template <CompiledLaw Law, class T>
 PolarForce<T> film_force(const Law& law, const Bearing<RealOf<T>>& bearing, const Lubricant<RealOf<T>>& oil,
                          const PolarFilmState<T>& state) {
-  if constexpr (CompiledPolarLaw<Law>) {
-    require_shape_of(law, bearing);
-    const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
-    const PolarForce<T> ratio = law.force_ratio(state, side_of(state));
-    return {T(scale * ratio.radial), T(scale * ratio.tangential)};
-  } else {
-    const Vector2<T> force = film_force(law, bearing, oil, state.in_own_frame());
-    return {force.x(), force.y()};
-  }
+  require_shape_of(law, bearing);
+  const RealOf<T> scale = force_scale(Law::limit, bearing, oil);
+  const PolarForce<T> ratio = compiled_polar_force_ratio(law, state);
+  return {T(scale * ratio.radial), T(scale * ratio.tangential)};
 }
 
 }  // namespace lubjoint

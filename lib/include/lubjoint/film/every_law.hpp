@@ -20,7 +20,8 @@ using SqueezeFilmLaws = std::tuple<SqueezeLongFull, SqueezeShortFull, SqueezeLon
 using StateFilmLaws = decltype(std::tuple_cat(FilmLaws(), SqueezeFilmLaws()));
 /// The laws of finite length, likewise.
 using ShapedFilmLaws = std::tuple<MoesImpedance, Butenschoen>;
-/// All laws, in the order in which they are listed: with_film_law<EveryFilmLaw>(name, visitor).
+/// All laws that are formulas, in the order in which they are listed: with_film_law<EveryFilmLaw>(name, visitor).
+/// compiled_laws.hpp has those that are tables, too.
 using EveryFilmLaw = decltype(std::tuple_cat(StateFilmLaws(), ShapedFilmLaws()));
 
 /// Their names.

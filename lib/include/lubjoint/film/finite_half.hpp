@@ -10,8 +10,15 @@ namespace lubjoint {
 ///   F_r = −S [εα|a| + βb],   F_t = S [τa + 2εα b sgn(a)],   S = μLR³/c²
 /// with one α for both: on each side of a = 0 the force is a gradient (Potential::on_each_side). Over their harmonic
 /// means of the short and the long film α, β and τ are Chebyshev series in (1−ε²)^¼, compiled for the L/D; beyond the
-/// table, ε > 0.9998, they go on along their tangents. F_t jumps at a = 0 where b ≠ 0, and the law depends on the
-/// direction of e at ε = 0, as every half film that is not short.
+/// table, ε > 0.9998, they go on along their tangents.
+///
+/// F_t jumps at a = 0 by 4Sεα|b|, so that runs need both sides and the journal that slides between them, as with
+/// short_half and long_half. With p_a and p_b the pressures of the wedge and of the squeeze on 0…π, whose sources are
+/// sinθ and −2cosθ: p = 0 on the whole edge, Reynolds' operator is symmetric, and so ∬p_b sinθ = −2∬p_a cosθ. On the
+/// left is half of the jump, on the right twice the radial force of the wedge: the film jumps wherever a wedge has a
+/// radial force and b ≠ 0, which is everywhere but at ε = 0. In a closing film (b > 0) both sides push the journal to
+/// a = 0, in an opening one away from it. The law depends on the direction of e at ε = 0, as every half film that is
+/// not short.
 /// Accuracy: the table states it, 1e-7 of |F| up to ε = 0.99 for L/D ¼ to 4 (tests).
 class FiniteHalf {
  public:
@@ -75,10 +82,7 @@ class FiniteHalf {
   template <class T>
   Vector2<T> force_ratio(const FilmState<T>& film) const {
     const PolarView<T> view = polar_view(film);
-    const PolarForce<T> ratio = force_ratio(view.state, side_of(film));
-    const Vector2<T> across = perpendicular(view.radial);
-    return Vector2<T>(T(ratio.radial * view.radial.x() + ratio.tangential * across.x()),
-                      T(ratio.radial * view.radial.y() + ratio.tangential * across.y()));
+    return detail::in_plane(force_ratio(view.state, side_of(film)), view.radial);
   }
 
  private:

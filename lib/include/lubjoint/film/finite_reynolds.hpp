@@ -23,6 +23,7 @@ class FiniteReynolds {
   static constexpr FilmExtent extent = FilmExtent::dynamic;                     ///< nearly: its bounds are its own
   static constexpr std::string_view words = "finite bearing, cavitating film";  ///< for people
   static constexpr bool has_pressure = true;                                    ///< the force is its integral
+  static constexpr bool has_free_boundary = true;                               ///< where the film shears oil
   static constexpr Potential potential = Potential::convex;                     ///< of the dissipation
   static constexpr int around = 20;                                             ///< polynomials in t
   static constexpr int outward = 12;                                            ///< and in r

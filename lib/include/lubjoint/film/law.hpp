@@ -55,12 +55,17 @@ concept HalfFilmLaw = PolarLaw<Law> && requires {
 
 namespace detail {
 
+/// A polar force as a vector; r is its radial direction.
+template <class T>
+Vector2<T> in_plane(const PolarForce<T>& force, const Vector2<T>& r) {
+  const Vector2<T> t = perpendicular(r);
+  return Vector2<T>(T(force.radial * r.x() + force.tangential * t.x()),
+                    T(force.radial * r.y() + force.tangential * t.y()));
+}
+
 template <PolarLaw Law, class T>
 Vector2<T> polar_law_in_plane(const PolarView<T>& view, HalfFilmSide side) {
-  const PolarForce<T> ratio = Law::force_ratio(view.state, side);
-  const Vector2<T> t = perpendicular(view.radial);
-  return Vector2<T>(T(ratio.radial * view.radial.x() + ratio.tangential * t.x()),
-                    T(ratio.radial * view.radial.y() + ratio.tangential * t.y()));
+  return in_plane(Law::force_ratio(view.state, side), view.radial);
 }
 
 /// evaluate(film) for a function of degree one in u, also where |u| is so small or large that products of rates, or

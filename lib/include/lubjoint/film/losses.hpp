@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lubjoint/film/compiled_law.hpp"
 #include "lubjoint/film/shaped_law.hpp"
 #include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/film/squeeze_only.hpp"
@@ -23,16 +24,28 @@ namespace lubjoint {
 /// The part of the gap that a law and a shear extent make out: all that the Couette torque needs to know of a law.
 enum class ShearedGap { whole, half, dynamic, striated };
 
-/// Does a law have this shear? Striated is for half films.
-template <AnyFilmLaw Law>
+/// A film that ruptures along bounds of its own, which its law does not know.
+template <class Law>
+concept FreeBoundaryLaw = requires {
+  requires Law::has_free_boundary;
+};
+
+/// Does a law have this shear? Striated is for half films; of a film with a free boundary flooded alone is known.
+template <class Law>
 constexpr bool has_shear(ShearExtent shear) {
+  if (FreeBoundaryLaw<Law>) return shear == ShearExtent::flooded;
   return shear != ShearExtent::striated || Law::extent == FilmExtent::half;
 }
 
 /// The part of the gap that a law's film shears.
 /// @throws std::invalid_argument if the law has not this shear
-template <AnyFilmLaw Law>
-ShearedGap sheared_gap(ShearExtent shear) {
+template <class Law>
+requires AnyFilmLaw<Law> || CompiledLaw<Law> ShearedGap sheared_gap(ShearExtent shear) {
+  if (FreeBoundaryLaw<Law> && !has_shear<Law>(shear)) {
+    throw std::invalid_argument("shear \"" + std::string(shear_extent_names[static_cast<std::size_t>(shear)]) +
+                                "\" is not known for the law " + std::string(Law::name) +
+                                ", which has the force of its film and not its bounds; allowed is flooded");
+  }
   if (!has_shear<Law>(shear)) {
     throw std::invalid_argument("shear \"striated\" is not defined for the law " + std::string(Law::name) +
                                 "; allowed is film or flooded, or a half film");
@@ -87,7 +100,7 @@ T couette_integral(const FilmState<T>& film, ShearedGap gap) {
 }
 
 /// The same of a law. @throws std::invalid_argument if the law has not this shear
-template <AnyFilmLaw Law, class T>
+template <class Law, class T>
 T couette_integral(const FilmState<T>& film, ShearExtent shear) {
   return couette_integral(state_of_film<Law>(film), sheared_gap<Law>(shear));
 }
@@ -149,10 +162,14 @@ std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>
   return T(2 * scale * abs(cross(direction(film.eccentricity), film.velocity)));
 }
 
-/// The same of a law.
-template <AnyFilmLaw Law, class T>
+/// The same of a law. A compiled law has the force of its film alone: nothing is returned.
+template <class Law, class T>
 std::optional<T> side_flow(const Bearing<RealOf<T>>& bearing, const FilmState<T>& film) {
-  return side_flow(bearing, state_of_film<Law>(film), Law::limit, Law::extent);
+  if constexpr (CompiledLaw<Law>) {
+    return std::nullopt;
+  } else {
+    return side_flow(bearing, state_of_film<Law>(film), Law::limit, Law::extent);
+  }
 }
 
 }  // namespace lubjoint

@@ -209,11 +209,11 @@ Mobility<R> squeeze_mobility(const Vector2<R>& e_hat, const R& q, const Vector2<
 }
 
 /// a and b of a half film whose pressure is on one side, where it is linear; nothing if a has the other side's sign.
-template <FilmLaw Law, class R>
-std::optional<PolarForce<R>> rates_on_side(const R& epsilon, const R& q, const PolarForce<R>& force,
+template <class Law, class R>
+std::optional<PolarForce<R>> rates_on_side(const Law& law, const R& epsilon, const R& q, const PolarForce<R>& force,
                                            HalfFilmSide side) {
   const auto column = [&](int a, int b) {
-    return Law::force_ratio(PolarFilmState<R>(epsilon, R(a), R(b), q, Unchecked()), side);
+    return law.force_ratio(PolarFilmState<R>(epsilon, R(a), R(b), q, Unchecked()), side);
   };
   const PolarForce<R> wedge = column(1, 0);
   const PolarForce<R> squeeze = column(0, 1);
@@ -225,12 +225,14 @@ std::optional<PolarForce<R>> rates_on_side(const R& epsilon, const R& q, const P
   return PolarForce<R>{b, a};
 }
 
-/// The velocities of a half film.
-template <FilmLaw Law, class R>
-Mobility<R> half_film_mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
+/// The velocities of a half film: of a formula, or of a table.
+template <class Law, class R>
+Mobility<R> half_film_mobility(const Law& law, const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
   if (is_zero(e_hat)) {
-    // F turns with u: a quotient of plane vectors as of complex numbers.
-    const Vector2<R> unit = force_ratio<Law>(FilmState<R>(e_hat, Vector2<R>(R(1), R(0)), q, Unchecked()));
+    // F turns with u: a quotient of plane vectors as of complex numbers. With u along x the radial direction is x.
+    const PolarFilmState<R> along(R(0), R(0), R(1), q, Unchecked());
+    const PolarForce<R> polar = law.force_ratio(along, HalfFilmSide::converging);
+    const Vector2<R> unit(polar.radial, polar.tangential);
     const R square = dot(unit, unit);
     return {MobilityStatus::found, Vector2<R>(R(dot(unit, force) / square), R(cross(unit, force) / square))};
   }
@@ -239,7 +241,7 @@ Mobility<R> half_film_mobility(const Vector2<R>& e_hat, const R& q, const Vector
   const PolarForce<R> polar{dot(r, force), dot(t, force)};
   Mobility<R> result{MobilityStatus::none, std::nullopt};
   for (const HalfFilmSide side : {HalfFilmSide::converging, HalfFilmSide::mirrored}) {
-    const auto rates = rates_on_side<Law>(dot(r, e_hat), q, polar, side);
+    const auto rates = rates_on_side(law, dot(r, e_hat), q, polar, side);
     if (!rates) continue;
     const Vector2<R> u = rates->radial * r - R(rates->tangential / 2) * t;
     (result.velocity ? result.other : result.velocity) = u;
@@ -280,7 +282,7 @@ Mobility<R> mobility(const Vector2<R>& e_hat, const R& q, const Vector2<R>& forc
   if constexpr (squeeze_only) {
     return detail::squeeze_mobility<Law>(e_hat, q, unit).scaled(size);
   } else if constexpr (Law::extent == FilmExtent::half) {
-    return detail::half_film_mobility<Law>(e_hat, q, unit).scaled(size);
+    return detail::half_film_mobility(Law(), e_hat, q, unit).scaled(size);
   } else if constexpr (detail::HasClosedMobility<Law>) {
     return {MobilityStatus::found, Vector2<R>(size * detail::ClosedMobility<Law>::at(e_hat, q, unit))};
   } else {

@@ -1,15 +1,19 @@
 /// A film whose law is chosen when the program runs.
 ///
-/// The laws of law_list.hpp are types in everything that a run is made of. The others, which few scenes have, share
-/// what is compiled for this one film, at the price of a call through a pointer for each force and, for derivatives, of
-/// a product with the film's own Jacobian.
+/// The laws of law_list.hpp, and finite_half, which jumps, are types in everything that a run is made of. The others
+/// share what is compiled for this one film, at the price of a call through a pointer for each force and, for
+/// derivatives, of a product with the film's own Jacobian.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
+#include "lubjoint/film/compiled_mobility.hpp"
 #include "lubjoint/film/shaped_mobility.hpp"
 #include "lubjoint/joint/lubricated_joint.hpp"
 
@@ -20,7 +24,14 @@ namespace lubjoint {
 /// motion of a journal without mass open.
 template <class Law>
 inline constexpr bool moves_massless_journal =
-    is_law_of<Law, FilmLaws> ? Law::extent != FilmExtent::half : std::is_same_v<Law, MoesImpedance>;
+    is_law_of<Law, FilmLaws> || CompiledLaw<Law> ? Law::extent != FilmExtent::half : std::is_same_v<Law, MoesImpedance>;
+
+/// What a law of finite length asks of a bearing, and the law itself where it is compiled.
+template <class R>
+struct FilmShape {
+  R length_to_diameter;            ///< L/D
+  const AnyCompiledLaw* compiled;  ///< null but for a compiled law
+};
 
 /// F/S of a law at a state, and its derivatives by ê_x, ê_y, u_x, u_y, with q = 1 − ê·ê.
 template <class R>
@@ -35,26 +46,28 @@ struct FilmFunctions {
   std::string_view law;  ///< its name
   BearingLimit limit;    ///< its force scale
   /// F/S at a state, of a bearing of that L/D.
-  Vector2<R> (*ratio)(const FilmState<R>& film, const R& shape);
+  Vector2<R> (*ratio)(const FilmState<R>& film, const FilmShape<R>& shape);
   /// The same with its derivatives.
-  FilmSlopes<R> (*slopes)(const FilmState<R>& film, const R& shape);
+  FilmSlopes<R> (*slopes)(const FilmState<R>& film, const FilmShape<R>& shape);
   /// u at which the film carries F/S at ê, q = 1 − ê·ê; null unless every force has one velocity (mobility.hpp).
-  Vector2<R> (*velocity)(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force, const R& shape);
+  Vector2<R> (*velocity)(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force, const FilmShape<R>& shape);
 };
 
 namespace detail {
 
-template <AnyFilmLaw Law, class T>
-Vector2<T> ratio_in_bearing(const FilmState<T>& film, [[maybe_unused]] const RealOf<T>& shape) {
+template <class Law, class T>
+Vector2<T> ratio_in_bearing(const FilmState<T>& film, [[maybe_unused]] const FilmShape<RealOf<T>>& shape) {
   if constexpr (FilmLaw<Law>) {
     return force_ratio<Law>(film);
+  } else if constexpr (CompiledLaw<Law>) {
+    return compiled_force_ratio(*std::get_if<Law>(shape.compiled), film);
   } else {
-    return shaped_force_ratio<Law>(film, shape);
+    return shaped_force_ratio<Law>(film, shape.length_to_diameter);
   }
 }
 
-template <AnyFilmLaw Law, class R>
-FilmSlopes<R> slopes_in_bearing(const FilmState<R>& film, const R& shape) {
+template <class Law, class R>
+FilmSlopes<R> slopes_in_bearing(const FilmState<R>& film, const FilmShape<R>& shape) {
   using D = Dual<R, 4>;
   const Vector2<D> e(D::variable(film.eccentricity.x(), 0), D::variable(film.eccentricity.y(), 1));
   const Vector2<D> u(D::variable(film.velocity.x(), 2), D::variable(film.velocity.y(), 3));
@@ -67,17 +80,19 @@ FilmSlopes<R> slopes_in_bearing(const FilmState<R>& film, const R& shape) {
   return result;
 }
 
-template <AnyFilmLaw Law, class R>
+template <class Law, class R>
 Vector2<R> velocity_in_bearing(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force,
-                               [[maybe_unused]] const R& shape) {
+                               [[maybe_unused]] const FilmShape<R>& shape) {
   if constexpr (FilmLaw<Law>) {
     return *mobility<Law>(e_hat, q, force).velocity;
+  } else if constexpr (CompiledLaw<Law>) {
+    return *compiled_mobility(*std::get_if<Law>(shape.compiled), e_hat, q, force).velocity;
   } else {
-    return moes_velocity(e_hat, q, force, shape);
+    return moes_velocity(e_hat, q, force, shape.length_to_diameter);
   }
 }
 
-template <AnyFilmLaw Law, class R>
+template <class Law, class R>
 constexpr FilmFunctions<R> functions_of_law() {
   FilmFunctions<R> functions{Law::name, Law::limit, &ratio_in_bearing<Law, R>, &slopes_in_bearing<Law, R>, nullptr};
   if constexpr (moves_massless_journal<Law>) functions.velocity = &velocity_in_bearing<Law, R>;
@@ -92,8 +107,18 @@ template <class R>
 const FilmFunctions<R>& film_functions(std::string_view law) {
   static constexpr auto all = []<class... Law>(std::type_identity<std::tuple<Law...>>) {
     return std::array<FilmFunctions<R>, sizeof...(Law)>{detail::functions_of_law<Law, R>()...};
-  }(std::type_identity<EveryFilmLaw>{});
-  return all[film_law_index<EveryFilmLaw>(law)];
+  }(std::type_identity<NamedFilmLaws>{});
+  return all[film_law_index<NamedFilmLaws>(law)];
+}
+
+/// The table of a compiled law's film. @throws std::invalid_argument that says who is to give it, if it is null
+template <CompiledLaw Law>
+const CompiledFilm& table_of(const CompiledFilm* table) {
+  if (table != nullptr) return *table;
+  throw std::invalid_argument(
+      "the law " + std::string(Law::name) +
+      " is a table compiled for the bearing's length over diameter, and none was given; allowed "
+      "is a CompiledFilm, read by read_compiled_film from a file of lubjoint compile-film");
 }
 
 /// In place of a law's type: the film is a ChosenFilm.
@@ -105,15 +130,23 @@ class ChosenFilm {
  public:
   static constexpr bool jumps = false;  ///< a half film is a LubricatedJoint, which knows its sides
 
-  /// @throws std::invalid_argument  an unknown law, a half film, and a bearing that the law is not made for
-  ChosenFilm(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil)
+  /// @param table  of a law that is compiled; no other law asks
+  /// @throws std::invalid_argument  an unknown law, a half film, a bearing that the law is not made for, a compiled law
+  ///         without its table
+  ChosenFilm(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil,
+             const CompiledFilm* table = nullptr)
       : functions_(&film_functions<R>(law)),
         bearing_(bearing),
         scale_(lubjoint::force_scale(functions_->limit, bearing, oil)),
         shape_(length_to_diameter(bearing)) {
-    with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+    with_film_law<NamedFilmLaws>(law, [&]<class Law>() {
       if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(shape_);
-      if constexpr (HalfFilmLaw<Law>) throw std::invalid_argument(std::string(law) + " jumps; its film is a type");
+      if constexpr (JumpingLaw<Law>) {
+        throw std::invalid_argument(std::string(law) + " jumps; its film is a type");
+      } else if constexpr (CompiledLaw<Law>) {
+        compiled_ = std::make_shared<const AnyCompiledLaw>(std::in_place_type<Law>, table_of<Law>(table));
+        require_shape_of(*std::get_if<Law>(compiled_.get()), bearing);
+      }
     });
   }
 
@@ -130,7 +163,7 @@ class ChosenFilm {
       const FilmSlopes<R> at =
           functions_->slopes(FilmState<R>(Vector2<R>(value_of(e.x()), value_of(e.y())),
                                           Vector2<R>(value_of(u.x()), value_of(u.y())), value_of(film.q), Unchecked()),
-                             shape_);
+                             shape());
       const auto component = [&](Eigen::Index i) {
         const auto slope = at.by_state.row(i);
         return T(scale_ * at.ratio(i), scale_ * (slope(0) * e.x().derivatives() + slope(1) * e.y().derivatives() +
@@ -138,7 +171,7 @@ class ChosenFilm {
       };
       return Vector2<T>(component(0), component(1));
     } else {
-      const Vector2<R> ratio = functions_->ratio(film, shape_);
+      const Vector2<R> ratio = functions_->ratio(film, shape());
       return Vector2<R>(R(scale_ * ratio.x()), R(scale_ * ratio.y()));
     }
   }
@@ -150,14 +183,17 @@ class ChosenFilm {
   /// @throws FilmDomainError where |e| ≥ c
   Vector2<R> velocity(const Vector2<R>& e_hat, const Vector2<R>& force) const {
     return functions_->velocity(e_hat, one_minus_squared_norm<R>(e_hat.x(), e_hat.y()), Vector2<R>(force / scale_),
-                                shape_);
+                                shape());
   }
 
  private:
+  FilmShape<R> shape() const { return {shape_, compiled_.get()}; }
+
   const FilmFunctions<R>* functions_;
   Bearing<R> bearing_;
   R scale_;
-  R shape_;  ///< L/D
+  R shape_;                                         ///< L/D
+  std::shared_ptr<const AnyCompiledLaw> compiled_;  ///< none but for a compiled law
 };
 
 namespace detail {
@@ -175,15 +211,20 @@ struct FilmOfLaw<ChosenLaw, R> {
 template <class Law, class R>
 using FilmOf = typename detail::FilmOfLaw<Law, R>::Type;
 
-/// The type by which a law's runs are compiled: its own where it is of law_list.hpp.
+/// The type by which a law's runs are compiled: its own where it is of law_list.hpp or jumps.
 template <class Law>
-using RunLaw = std::conditional_t<is_law_of<Law, FilmLaws>, Law, ChosenLaw>;
+using RunLaw = std::conditional_t<is_law_of<Law, FilmLaws> || CompiledHalfFilmLaw<Law>, Law, ChosenLaw>;
 
-/// The film of that name and of RunLaw's type. @throws std::invalid_argument as ChosenFilm
+/// The film of that name and of RunLaw's type.
+/// @param table  of a law that is compiled; no other law asks
+/// @throws std::invalid_argument as ChosenFilm
 template <class Law, class R>
-FilmOf<Law, R> film_of([[maybe_unused]] std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil) {
+FilmOf<Law, R> film_of([[maybe_unused]] std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil,
+                       [[maybe_unused]] const CompiledFilm* table = nullptr) {
   if constexpr (std::is_same_v<Law, ChosenLaw>) {
-    return ChosenFilm<R>(law, bearing, oil);
+    return ChosenFilm<R>(law, bearing, oil, table);
+  } else if constexpr (CompiledLaw<Law>) {
+    return LubricatedJoint<Law, R>(Law(table_of<Law>(table)), bearing, oil);
   } else {
     return LubricatedJoint<Law, R>(bearing, oil);
   }

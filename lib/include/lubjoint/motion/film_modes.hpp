@@ -77,7 +77,7 @@ class MasslessMode {
 };
 
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
-template <HalfFilmLaw Law>
+template <JumpingLaw Law>
 class SidedMode {
  public:
   static constexpr std::size_t dimension = 4;     ///< number of states
@@ -116,7 +116,7 @@ class SidedMode {
 ///   e = c ρ n(t),  n(t) at the angle γ₀ + ω̄(t − t₀),  ρ̈ = ω̄²ρ + (F + W)·n/(m c),
 /// two states ρ and β = ρ̇ in place of four. Staying on a = 0 takes the tangential force Φ = 2 m c ω̄ β − W·n⊥; the
 /// film can give anything in [−X, X], X its tangential force on the converging side. It ends where |Φ| exceeds X.
-template <HalfFilmLaw Law>
+template <JumpingLaw Law>
 class SlidingMode {
  public:
   static constexpr std::size_t dimension = 2;     ///< number of states

@@ -133,7 +133,7 @@ class MasslessRun : public ModeRuns {
   const MasslessJournal<Law>& journal_;
 };
 
-/// Runs a free journal. Law: a FilmLaw or ChosenLaw.
+/// Runs a free journal. Law: a FilmLaw, a CompiledLaw or ChosenLaw.
 template <class Law>
 class JournalRun : public ModeRuns {
  public:

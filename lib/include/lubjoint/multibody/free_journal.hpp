@@ -24,7 +24,7 @@ struct JournalDrive {
 template <class T>
 using JournalState = std::array<T, 4>;
 
-/// ê̇ = w,  ẇ = (F(ê, u) + W)/(m c),  u = w − ½(ω_J + ω_B) ê⊥. Law: a FilmLaw or ChosenLaw.
+/// ê̇ = w,  ẇ = (F(ê, u) + W)/(m c),  u = w − ½(ω_J + ω_B) ê⊥. Law: a FilmLaw, a CompiledLaw or ChosenLaw.
 /// Source: Newton's law; Flores et al. (2009), section 7.
 template <class Law, class R = double>
 class FreeJournal {
@@ -63,7 +63,7 @@ class FreeJournal {
 
   /// The rate with a half film of the given side.
   template <class T>
-  requires HalfFilmLaw<Law>
+  requires JumpingLaw<Law>
   void rate(const JournalState<T>& y, JournalState<T>& dydt, HalfFilmSide side) const {
     fill(y, joint_.force(film(y), side), dydt);
   }

@@ -21,21 +21,23 @@ template <class R, class Laws>
 struct FilmVariant;
 template <class R, class... Law>
 struct FilmVariant<R, std::tuple<Law...>> {
-  using Type = std::variant<LubricatedJoint<Law, R>..., ChosenFilm<R>>;
+  using Type = std::variant<LubricatedJoint<Law, R>..., LubricatedJoint<FiniteHalf, R>, ChosenFilm<R>>;
 };
 }  // namespace detail
 
 /// Any law's film: the law is chosen when the scene is made, and costs one jump a force; laws that are not of
-/// law_list.hpp share the last of the films.
+/// law_list.hpp and do not jump share the last of the films.
 template <class R>
 using AnyFilm = typename detail::FilmVariant<R, FilmLaws>::Type;
 
 /// The film of the law of that name.
+/// @param table  of a law that is compiled; no other law asks
 /// @throws std::invalid_argument that lists the laws there are, or as ChosenFilm
 template <class R>
-AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil) {
-  return with_film_law<EveryFilmLaw>(
-      law, [&]<class Law>() { return AnyFilm<R>(film_of<RunLaw<Law>, R>(law, bearing, oil)); });
+AnyFilm<R> make_film(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil,
+                     const CompiledFilm* table = nullptr) {
+  return with_film_law<NamedFilmLaws>(
+      law, [&]<class Law>() { return AnyFilm<R>(film_of<RunLaw<Law>, R>(law, bearing, oil, table)); });
 }
 
 /// Dry contact of a joint.
@@ -123,7 +125,7 @@ struct JointLosses {
 /// The shear of a law in a bearing. @throws std::invalid_argument if the law has not this shear
 template <class R>
 JointShear<R> make_shear(std::string_view law, const Bearing<R>& bearing, const Lubricant<R>& oil, ShearExtent shear) {
-  return with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+  return with_film_law<NamedFilmLaws>(law, [&]<class Law>() {
     return JointShear<R>{sheared_gap<Law>(shear), Law::limit, Law::extent,
                          SqueezeOnlyLaw<Law>,     bearing,    couette_scale(bearing, oil)};
   });

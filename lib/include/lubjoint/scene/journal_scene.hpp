@@ -8,10 +8,12 @@ namespace lubjoint {
 
 /// The parts of a scene with one body, whose journal runs in a bearing on the ground.
 struct JournalScene {
-  Bearing<double> bearing;     ///< L, R, c
-  Lubricant<double> oil;       ///< μ
-  JournalDrive<double> drive;  ///< mass, load with weight, spins
-  JournalState<double> start;  ///< ê and w at t = 0
+  Bearing<double> bearing;                    ///< L, R, c
+  Lubricant<double> oil;                      ///< μ
+  JournalDrive<double> drive;                 ///< mass, load with weight, spins
+  JournalState<double> start;                 ///< ê and w at t = 0
+  std::string law;                            ///< name of the film's law
+  std::shared_ptr<const CompiledFilm> table;  ///< of a law that is compiled
 };
 
 /// The parts of a scene that is a free journal.

@@ -59,7 +59,7 @@ PlanarSystem<R> planar_system(const Scene& scene) {
       const R widening = each.transition ? R(each.transition->e1) : R(0);
       const Bearing<R> of_film(length, bearing.radius(), R(bearing.clearance() + widening));
       const Lubricant<R> oil{R(each.viscosity)};
-      joint.film = make_film<R>(each.film, of_film, oil);
+      joint.film = make_film<R>(each.film, of_film, oil, each.table.get());
       if (each.shear) joint.shear = make_shear<R>(each.film, of_film, oil, *each.shear);
     }
     if (each.contact) {

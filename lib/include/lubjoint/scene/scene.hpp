@@ -1,10 +1,12 @@
 /// What a scene is: bodies, loads, joints, and how to run them. SI units, angles in radians.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lubjoint/film/compiled_law.hpp"
 #include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/multibody/constraint.hpp"
@@ -73,6 +75,9 @@ struct SceneJoint {
   std::optional<SceneContact> contact;        ///< none: the run stops at ε = 1
   std::optional<ShearExtent> shear;           ///< none: no friction torque
   std::optional<double> density;              ///< ρ of the oil [kg/m³], for its Reynolds number alone
+  /// Of a law that is compiled for the bearing's L/D: no scene file has it, whoever runs the scene gives it. Other laws
+  /// do not ask.
+  std::shared_ptr<const CompiledFilm> table;
 };
 
 /// A constraint of any kind, in double precision.

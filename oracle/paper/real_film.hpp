@@ -1,0 +1,54 @@
+/// The paper's examples with the film of the bearing's real length, as the compiled laws have it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lubjoint/scene/equilibrium.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/laws/scene_films.hpp"
+#include "oracle/results/check.hpp"
+
+namespace lubjoint::reports {
+
+/// Example 1 with one film.
+struct RealFilmJournal {
+  Scene scene;
+  JournalTrajectory run;
+  JournalEquilibrium rest;
+  Verdict verdict;
+};
+
+/// Example 2, c = 0.2 mm and 0.4 Pa s, with one film.
+struct RealFilmCrank {
+  Scene scene;
+  MultibodyTrajectory run;
+  Verdict verdict;
+};
+
+/// Both examples with finite_full, finite_half, finite_dynamic and finite_reynolds, in this order.
+struct RealFilms {
+  std::vector<RealFilmJournal> journal;
+  std::vector<RealFilmCrank> crank;
+
+  std::vector<const Verdict*> journal_verdicts() const;
+  std::vector<const Verdict*> crank_verdicts() const;
+  bool passed() const;
+};
+
+/// Runs them. Each place of rest is held against the one that the solver of Reynolds' equation finds, and forces along
+/// each run against the solver's; of example 2 the energy ledger has to close.
+/// @param scenes  folder with journal.toml and slider-crank.toml
+RealFilms run_real_films(const std::filesystem::path& scenes, SceneFilms& films);
+
+/// Forces at some states of a run against the solver, over |F|: the largest difference and the largest that the table's
+/// stated error and the solver's bounds allow. States beyond the table, at rest and on the jump of a half film are left
+/// out.
+Check solved_force_check(const Scene& scene, const JournalTrajectory& run);
+Check solved_force_check(const Scene& scene, const MultibodyTrajectory& run);
+
+/// The tables that people read.
+std::string real_films_table(const RealFilms& films);
+
+}  // namespace lubjoint::reports
