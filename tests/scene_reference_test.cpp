@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "support/temporary_folder.hpp"
@@ -85,7 +85,7 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
 
 TEST_CASE("scene reference: laws, integrators and defaults are those of the reader") {
   const std::string text = read_text(root + "data/scenes.md");
-  for (const std::string_view law : every_law_names) {
+  for (const std::string_view law : named_film_laws) {
     CHECK(text.find("`" + std::string(law) + "`") != std::string::npos);
   }
   for (const std::string_view name : integrator_names()) {

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "oracle/certified/finite_length.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/files/golden_files.hpp"
@@ -19,6 +20,7 @@ struct GoldenOptions {
   std::string out = golden_folder();
   bool check = false;
   bool trajectories = false;
+  bool finite_length = false;
   bool fresh = false;
   certified::GoldenRun run;
 };
@@ -46,6 +48,27 @@ int run_golden(const GoldenOptions& options) {
     std::cout << options.out << ": every checksum is that of the manifest; of the rows one in " << run.every << " ("
               << rows << " rows) was made again, and is the same\n";
   }
+  return differences.empty() ? 0 : 1;
+}
+
+int run_finite_length(const GoldenOptions& options) {
+  const std::filesystem::path folder = std::filesystem::path(options.out) / "finite_length";
+  std::unique_ptr<reports::ProgressBar> bar;
+  certified::GoldenRun run = options.run;
+  run.progress = [&bar](std::size_t, std::size_t all) {
+    if (!bar) bar = std::make_unique<reports::ProgressBar>("films of finite length", all);
+    bar->advance();
+  };
+  if (!options.check) {
+    certified::write_finite_golden(folder, run);
+    bar.reset();
+    std::cerr << "films of finite length written to " << folder.string() << '\n';
+    return 0;
+  }
+  const auto differences = certified::check_finite_golden(folder, run);
+  bar.reset();
+  for (const reports::GoldenDifference& difference : differences) std::cout << difference.text() << '\n';
+  if (differences.empty()) std::cout << folder.string() << ": every force made again is within the uncertainties\n";
   return differences.empty() ? 0 : 1;
 }
 
@@ -78,6 +101,8 @@ void add_golden(CLI::App& app, Action& action) {
                    "With --check: makes one row in N again, of the files whose checksum is right")
       ->check(CLI::Range(1, 1000000));
   command->add_flag("--trajectories", options->trajectories, "The trajectories, a step of its own: some 7 minutes");
+  command->add_flag("--finite-length", options->finite_length,
+                    "The films of finite length, a step of its own: some minutes");
   command->add_flag("--fresh", options->fresh, "With --trajectories: also those that are there");
   command->callback([options, &action] {
     action = [options] {
@@ -90,6 +115,10 @@ void add_golden(CLI::App& app, Action& action) {
       if (options->run.every > 1 && !options->check) {
         throw std::invalid_argument("--every is for --check; allowed is to write all rows or none");
       }
+      if (options->finite_length && options->trajectories) {
+        throw std::invalid_argument("--finite-length and --trajectories are given; allowed is one of them");
+      }
+      if (options->finite_length) return run_finite_length(*options);
       return options->trajectories ? run_trajectories(*options) : run_golden(*options);
     };
   });

@@ -53,7 +53,8 @@ struct FiniteVerification {
   bool accepted() const { return verdict == Verdict::agrees; }
 };
 
-/// Judges answers. A state is undecided where the solver's own bound is above the tolerance. If answers are wrong, it
+/// Judges answers. A state is undecided where the solver's own bound is above the tolerance, and left out where it lies
+/// on the jump of finite_half, at a = 0. If answers are wrong, it
 /// is tried whether one factor makes all of them right, and whether another film does.
 /// @param tolerance  error over |F| that is right; at least finite_tolerance counts
 /// @param threads  no result depends on them

@@ -1,0 +1,42 @@
+/// Golden data of films of finite length. No ball arithmetic reaches them: their uncertainties are the solvers' own
+/// bounds, and where there are two solvers, which share no step, what they differ by.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "oracle/certified/golden.hpp"
+#include "oracle/reynolds/finite_length.hpp"
+
+namespace lubjoint::certified {
+
+/// A state of finite_film_force.csv.
+struct FiniteGoldenState {
+  oracle::FiniteFilm film;
+  double length_to_diameter;
+  PolarFilmState<double> state;
+};
+
+/// L/D ¼, ½, 1, the paper's 2.0408 and 4; ε 0.1, 0.5 and 0.9; rotation, squeeze that closes and opens, and both
+/// together, also the other way round.
+std::vector<FiniteGoldenState> finite_golden_states();
+
+/// The force over S = μLR³/c² [1/s], radial and tangential, and a bound of its error in magnitude.
+struct FiniteGoldenForce {
+  double radial;
+  double tangential;
+  double uncertainty;
+  int solvers;  ///< that agree on it to the uncertainty: 1 for finite_reynolds with its free boundary, else 2
+};
+FiniteGoldenForce finite_golden_force(const FiniteGoldenState& state);
+
+/// Writes finite_film_force.csv and its manifest into a folder.
+void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& run = {});
+
+/// Compares manifest and columns, and makes one force in run.every again: differences are those beyond both
+/// uncertainties together, as other processors round otherwise.
+std::vector<reports::GoldenDifference> check_finite_golden(const std::filesystem::path& folder,
+                                                           const GoldenRun& run = {});
+
+}  // namespace lubjoint::certified
