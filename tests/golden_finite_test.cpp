@@ -31,7 +31,7 @@ certified::GoldenRun one_in(std::size_t every) {
 }  // namespace
 
 TEST_CASE("golden finite films: manifest and a part of the forces are those of the solvers") {
-  for (const auto& difference : certified::check_finite_golden(folder, one_in(19))) FAIL_CHECK(difference.text());
+  for (const auto& difference : certified::check_finite_golden(folder, one_in(53))) FAIL_CHECK(difference.text());
 }
 
 TEST_CASE("golden finite films: a changed digit is found, by the checksum and by the solver") {
@@ -50,16 +50,15 @@ TEST_CASE("golden finite films: a changed digit is found, by the checksum and by
   CHECK_THAT(differences[0].what + differences[1].what, Catch::Contains("more than both uncertainties"));
 }
 
-TEST_CASE("golden finite films: two solvers agree to nine digits, the one with a free boundary to four") {
+TEST_CASE("golden finite films: two solvers agree to nine digits, to three and a half where the boundary is free") {
   const reports::CsvTable table = golden_table();
   CHECK(table.rows() == certified::finite_golden_states().size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto value = [&](const char* column) { return table.number(row, table.column(column)); };
     const double size = std::hypot(value("radial"), value("tangential"));
     INFO(table.line(row));
-    const bool two = value("solvers") == 2;
-    CHECK(two == !table.line(row).starts_with("finite_reynolds"));
-    CHECK(value("uncertainty") < (two ? 1e-8 : 3e-4) * size);
+    const bool free = table.line(row).starts_with("finite_reynolds");
+    CHECK(value("uncertainty") <= (free ? 3e-4 : 2e-10) * size);  // as data/README.md says
     CHECK(value("uncertainty") > 0);
   }
 }

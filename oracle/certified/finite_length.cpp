@@ -10,6 +10,7 @@
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/parallel.hpp"
+#include "oracle/reynolds/cavitated_elements.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
 namespace lubjoint::certified {
@@ -22,7 +23,7 @@ using oracle::SmoothFilmMethod;
 
 constexpr const char* file_name = "finite_film_force.csv";
 constexpr const char* header =
-    "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,radial,tangential,uncertainty,solvers";
+    "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,radial,tangential,uncertainty";
 
 /// Shortest text that reads back as the same double.
 std::string exact(double value) { return reports::number(value); }
@@ -40,7 +41,20 @@ std::string row_of(const FiniteGoldenState& at, const FiniteGoldenForce& force) 
   return std::string(oracle::name_of(at.film)) + "," + exact(at.length_to_diameter) + "," +
          exact(at.state.eccentricity_ratio) + "," + exact(at.state.slip_rate) + "," + exact(at.state.squeeze_rate) +
          "," + rounded_to(force.radial, force.uncertainty) + "," + rounded_to(force.tangential, force.uncertainty) +
-         "," + rounded(force.uncertainty, 2) + "," + std::to_string(force.solvers);
+         "," + rounded(force.uncertainty, 2);
+}
+
+/// F/S of finite_reynolds by finite elements.
+Vector2<double> force_by_elements(const FiniteGoldenState& at) {
+  const double a = std::abs(at.state.slip_rate);
+  const double b = at.state.squeeze_rate;
+  const double rate = std::max(a, std::abs(b));
+  const double epsilon = at.state.eccentricity_ratio;
+  const oracle::ScaledForce force = oracle::cavitated_force_by_elements(
+      {epsilon, at.state.q / (1 + epsilon), a / rate, b / rate, at.length_to_diameter});
+  // p = 6μ(R/c)² P over an area of R² dθ dζ, and R/L = 1/(2Λ).
+  const Vector2<double> ratio = 3 * rate / at.length_to_diameter * force.value;
+  return {ratio.x(), at.state.slip_rate < 0 ? -ratio.y() : ratio.y()};
 }
 
 template <class Work>
@@ -79,13 +93,14 @@ FiniteGoldenForce finite_golden_force(const FiniteGoldenState& at) {
     return oracle::finite_force(at.film, at.length_to_diameter, film, {tolerance, oracle::FilmOnset::free, method});
   };
   if (at.film == FiniteFilm::finite_reynolds) {
-    const FiniteForce force = solved(5e-5, SmoothFilmMethod::axial_series);
-    return {force.ratio.x(), force.ratio.y(), force.error, 1};
+    const FiniteForce volumes = solved(5e-5, SmoothFilmMethod::axial_series);
+    const Vector2<double> elements = force_by_elements(at);
+    return {volumes.ratio.x(), volumes.ratio.y(), (volumes.ratio - elements).norm() + volumes.error};
   }
   const FiniteForce series = solved(1e-10, SmoothFilmMethod::axial_series);
   const FiniteForce modes = solved(1e-10, SmoothFilmMethod::circumferential_modes);
   const double apart = (series.ratio - modes.ratio).norm();
-  return {series.ratio.x(), series.ratio.y(), apart + series.error + modes.error, 2};
+  return {series.ratio.x(), series.ratio.y(), apart + series.error + modes.error};
 }
 
 void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& run) {

@@ -1,5 +1,5 @@
-/// Golden data of films of finite length. No ball arithmetic reaches them: their uncertainties are the solvers' own
-/// bounds, and where there are two solvers, which share no step, what they differ by.
+/// Golden data of films of finite length. No ball arithmetic reaches them: their uncertainties are the bounds of
+/// solvers, and what two of them differ by.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +27,10 @@ struct FiniteGoldenForce {
   double radial;
   double tangential;
   double uncertainty;
-  int solvers;  ///< that agree on it to the uncertainty: 1 for finite_reynolds with its free boundary, else 2
 };
+/// By two solvers that share no step: of full, half and dynamic films both in series, of finite_reynolds finite volumes
+/// and finite elements. The uncertainty is what they differ by, and their own bounds; of finite_reynolds the bound of
+/// the finite volumes, whose force it is.
 FiniteGoldenForce finite_golden_force(const FiniteGoldenState& state);
 
 /// Writes finite_film_force.csv and its manifest into a folder.

@@ -1,5 +1,6 @@
 # Sources of the finite-length film.
 set(finite_length_sources
+  cavitated_elements.cpp
   cavitated_film.cpp
   cavitated_grid.cpp
   circumferential_modes.cpp

@@ -1,0 +1,172 @@
+#include "oracle/reynolds/cavitated_elements.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace lubjoint::oracle {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// The film at ψ, seen from the maximum film: H and the functions of θ.
+struct FilmAt {
+  double thickness;
+  double stretch;  ///< dθ/dψ = H/√q
+  double cosine;   ///< cosθ
+  double sine;     ///< sinθ
+
+  FilmAt(const ScaledFilm& film, double psi) {
+    const double q = film.thinnest * (1 + film.epsilon);
+    const double root = std::sqrt(q);
+    const double half = std::sin(psi / 2);
+    const double gap = film.thinnest + 2 * film.epsilon * half * half;  // 1 − ε cosψ
+    thickness = q / gap;
+    stretch = thickness / root;
+    cosine = (std::cos(psi) - film.epsilon) / gap;
+    sine = root * std::sin(psi) / gap;
+  }
+};
+
+/// One grid: bilinear elements on 0 ≤ ψ < 2π, periodic, and 0 ≤ ζ ≤ Λ, P = 0 at the end.
+class ElementGrid {
+ public:
+  ElementGrid(const ScaledFilm& film, int around) : around_(around), along_(around / 4) {
+    const Eigen::Index unknowns = static_cast<Eigen::Index>(around_) * along_;
+    source_ = Vector::Zero(unknowns);
+    weight_ = Eigen::MatrixX2d::Zero(unknowns, 2);
+    std::vector<Eigen::Triplet<double>> entries;
+    const double step = 2 * std::numbers::pi / around_;
+    const double rise = film.slenderness / along_;
+    for (int i = 0; i < around_; ++i) {
+      // Around: two-point Gauss rule; along the axis the integrals are exact.
+      Eigen::Matrix2d stiff = Eigen::Matrix2d::Zero();  // of ∂ψ ∂ψ
+      Eigen::Matrix2d mass = Eigen::Matrix2d::Zero();   // of the axial part
+      Eigen::Vector2d source = Eigen::Vector2d::Zero();
+      Eigen::Matrix2d weight = Eigen::Matrix2d::Zero();
+      for (const double side : {-1.0, 1.0}) {
+        const double place = 0.5 + side / (2 * std::numbers::sqrt3);
+        const FilmAt at(film, (i + place) * step);
+        const double cube = at.thickness * at.thickness * at.thickness;
+        const Eigen::Vector2d shape(1 - place, place);
+        const Eigen::Vector2d slope(-1 / step, 1 / step);
+        const double length = step / 2;
+        stiff += length * cube / at.stretch * slope * slope.transpose();
+        mass += length * cube * at.stretch * shape * shape.transpose();
+        source += length * at.stretch * (film.slip * at.sine - 2 * film.squeeze * at.cosine) * shape;
+        weight.col(0) += length * at.stretch * at.cosine * shape;
+        weight.col(1) += length * at.stretch * at.sine * shape;
+      }
+      for (int j = 0; j < along_; ++j) {
+        for (int a = 0; a < 4; ++a) {
+          const Eigen::Index row = node(i + a % 2, j + a / 2);
+          if (row < 0) continue;
+          source_[row] += source[a % 2] * rise / 2;
+          weight_.row(row) += weight.row(a % 2) * rise / 2;
+          for (int b = 0; b < 4; ++b) {
+            const Eigen::Index column = node(i + b % 2, j + b / 2);
+            if (column < 0) continue;
+            const bool same = a / 2 == b / 2;
+            const double value = stiff(a % 2, b % 2) * rise * (same ? 1.0 / 3 : 1.0 / 6) +
+                                 mass(a % 2, b % 2) * (same ? 1.0 : -1.0) / rise;
+            entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+          }
+        }
+      }
+    }
+    matrix_.resize(unknowns, unknowns);
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  /// ∬ P (cosθ, sinθ) dθ dζ over the whole length. @throws std::runtime_error if the active set does not settle
+  Eigen::Vector2d force() const {
+    std::vector<char> carries(static_cast<std::size_t>(source_.size()), 1);
+    Vector pressure;
+    constexpr int most = 200;  // a boundary moves by a node or more in each step
+    for (int step = 0; step < most; ++step) {
+      pressure = solved(carries);
+      const Vector residual = matrix_ * pressure - source_;
+      bool changed = false;
+      for (Eigen::Index i = 0; i < source_.size(); ++i) {
+        char& carrier = carries[static_cast<std::size_t>(i)];
+        const char next = carrier ? pressure[i] >= 0 : residual[i] < 0;
+        changed = changed || next != carrier;
+        carrier = next;
+      }
+      if (!changed) return 2 * weight_.transpose() * pressure;  // both halves of the length
+    }
+    throw std::runtime_error("the bounds of a cavitated film did not settle");
+  }
+
+  int unknowns() const { return static_cast<int>(source_.size()); }
+
+ private:
+  /// Number of a node; −1 at the end of the bearing, where P = 0.
+  Eigen::Index node(int i, int j) const {
+    if (j == along_) return -1;
+    return static_cast<Eigen::Index>(i % around_) * along_ + j;
+  }
+
+  /// The pressure where it is carried by these nodes and zero at the others.
+  Vector solved(const std::vector<char>& carries) const {
+    std::vector<int> place(carries.size(), -1);
+    int count = 0;
+    for (std::size_t i = 0; i < carries.size(); ++i) {
+      if (carries[i]) place[i] = count++;
+    }
+    Vector all = Vector::Zero(source_.size());
+    if (count == 0) return all;
+    std::vector<Eigen::Triplet<double>> entries;
+    Vector right(count);
+    for (int column = 0; column < matrix_.outerSize(); ++column) {
+      const int c = place[static_cast<std::size_t>(column)];
+      if (c < 0) continue;
+      right[c] = source_[column];
+      for (Sparse::InnerIterator entry(matrix_, column); entry; ++entry) {
+        const int r = place[static_cast<std::size_t>(entry.row())];
+        if (r >= 0) entries.emplace_back(r, c, entry.value());
+      }
+    }
+    Sparse matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLLT<Sparse> factor(matrix);
+    if (factor.info() != Eigen::Success) throw std::runtime_error("the matrix of a cavitated film is not definite");
+    const Vector pressure = factor.solve(right);
+    for (std::size_t i = 0; i < carries.size(); ++i) {
+      if (place[i] >= 0) all[static_cast<Eigen::Index>(i)] = pressure[place[i]];
+    }
+    return all;
+  }
+
+  int around_;
+  int along_;
+  Sparse matrix_;
+  Vector source_;
+  Eigen::MatrixX2d weight_;
+};
+
+}  // namespace
+
+ScaledForce cavitated_force_by_elements(const ScaledFilm& film, int around) {
+  if (around < 8) throw std::invalid_argument("elements around a film: allowed are 8 or more");
+  std::array<Eigen::Vector2d, 3> forces;
+  ScaledForce result;
+  for (std::size_t level = 0; level < forces.size(); ++level) {
+    const ElementGrid grid(film, around << level);
+    forces[level] = grid.force();
+    result.unknowns = grid.unknowns();
+  }
+  const Eigen::Vector2d coarse = forces[1] + (forces[1] - forces[0]) / 3;
+  result.value = forces[2] + (forces[2] - forces[1]) / 3;
+  result.error = (result.value - coarse).cwiseAbs();
+  result.observed_order = std::log2((forces[1] - forces[0]).norm() / (forces[2] - forces[1]).norm());
+  return result;
+}
+
+}  // namespace lubjoint::oracle
