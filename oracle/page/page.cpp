@@ -23,16 +23,10 @@ bool Content::stored_runs_are_right() const {
 }
 
 std::string report_page(const Content& content) {
-  const std::vector<Section> sections = {
-      verdict_section(content),     motion_section(content),      journal_section(content),
-      equilibrium_section(content), losses_section(content),      slider_crank_section(content),
-      laws_section(content),        model_error_section(content), proofs_section(content),
-      run_time_section(content),    stability_section(content),   verify_section(),
-      provenance_section(content),
-  };
   std::string contents;
   std::string html;
-  for (const Section& section : sections) {
+  for (const auto make : sections) {
+    const Section section = make(content);
     contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));
     html += fmt::format(
         "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",

@@ -14,7 +14,7 @@ std::string table_of(const std::string& caption, const char* what, const NamedWo
 
 }  // namespace
 
-Section verify_section() { return {"verify", "Verify your own code", filled("verify.html", {})}; }
+Section verify_section(const Content&) { return {"verify", "Verify your own code", filled("verify.html", {})}; }
 
 Section provenance_section(const Content& content) {
   const LawCheckSettings& laws = content.laws.settings;

@@ -1,7 +1,7 @@
 /// The page's sections, one file each, in the order of the page.
 #pragma once
 
-#include <filesystem>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -28,8 +28,15 @@ Section model_error_section(const Content& content);
 Section proofs_section(const Content& content);
 Section run_time_section(const Content& content);
 Section stability_section(const Content& content);
-Section verify_section();
+Section verify_section(const Content& content);
 Section provenance_section(const Content& content);
+
+/// The page from top to bottom.
+inline constexpr std::array sections = {
+    verdict_section,      motion_section, journal_section,     equilibrium_section, losses_section,
+    slider_crank_section, laws_section,   model_error_section, proofs_section,      run_time_section,
+    stability_section,    verify_section, provenance_section,
+};
 
 /// A law in words: "long bearing, full film".
 std::string law_words(std::string_view law);

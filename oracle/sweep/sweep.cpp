@@ -84,18 +84,22 @@ std::vector<std::string> fields_of(const Json& run, bool late) {
   return fields;
 }
 
-Json value_of_field(const std::string& text) {
+/// A field of a column of numbers.
+Json number_of_field(const std::string& text) {
   if (text.empty()) return nullptr;
-  const char* end = text.data() + text.size();
   std::int64_t whole = 0;
   double real = 0;
-  const auto is_all = [&](const std::from_chars_result& result) {
-    return result.ec == std::errc() && result.ptr == end;
-  };
-  if (is_all(std::from_chars(text.data(), end, whole))) return whole;
-  if (is_all(std::from_chars(text.data(), end, real))) return real;
-  if (text == "true" || text == "false") return text == "true";
-  return text;
+  const char* end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, whole).ptr == end) return whole;
+  std::from_chars(text.data(), end, real);
+  return real;
+}
+
+/// A value that the sweep sets; a number as its field shows it.
+Json value_of(const SceneValue& value, const std::string& field) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  return number_of_field(field);
 }
 
 }  // namespace
@@ -165,10 +169,14 @@ bool Sweep::is_stopped(const std::string& row, const SweepGrid& grid) {
 
 Json Sweep::row_json(const std::string& row) const {
   const std::vector<std::string> fields = split_quoted(row);
-  const std::size_t message = 2 + grid_.keys().size();
+  const std::vector<SceneChange> point = grid_.point(std::stoul(fields.front()));
   Json object;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    object[columns_[i]] = i == message ? Json(fields.at(i)) : value_of_field(fields.at(i));
+    const bool is_key = i >= 1 && i <= point.size();
+    const bool is_text = i == point.size() + 1 || i == point.size() + 2;  // status and message
+    object[columns_[i]] = is_key    ? value_of(point[i - 1].value, fields.at(i))
+                          : is_text ? Json(fields.at(i))
+                                    : number_of_field(fields.at(i));
   }
   return object;
 }
