@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,9 +23,9 @@ struct SpringAtZero {
   std::size_t spring;  ///< its number
 };
 
-/// Watches the lengths of springs: wherever the straight line between two looks at d comes near 0, its least length is
-/// looked for by the method itself. Less than a share of the longest that the spring has been counts as none; the run
-/// does not know the difference.
+/// Watches the lengths of springs: wherever the straight line between two looks at d passes near 0, the place at which
+/// d is across it is found by the method itself. A length there of less than a share of the longest that the spring has
+/// had is none: the run does not know the difference.
 template <class R>
 class SpringWatch {
  public:
@@ -66,9 +66,10 @@ class SpringWatch {
         const Vector2<double> was = each.at;
         each.at = now;
         each.longest = std::max(each.longest, length(now));
-        // The way between the looks bends by less than it is long.
-        if (nearest(was, now) > (now - was).norm() && length(now) > share_ * each.longest) continue;
-        if (const auto found = least_between(each, before, t, *step, inside)) return found;
+        // Places between the looks that are behind and ahead of 0; the way between bends by less than it is long.
+        const Vector2<double> way = now - was;
+        if (!(was.dot(way) <= 0 && now.dot(way) >= 0 && nearest(was, now) <= length(way))) continue;
+        if (const auto found = passing(each, was, way, before, t, *step, inside)) return found;
       }
       before = t;
     }
@@ -124,18 +125,26 @@ class SpringWatch {
     return length(from + share * way);
   }
 
+  /// Where d is across the way between two looks, is it 0?
   template <class Inside>
-  std::optional<SpringAtZero> least_between(const Watched& each, const R& from, const R& to,
-                                            const MultibodyStep<R>& step, const Inside& inside) {
-    const auto distance = [&](double t) {
-      inside(step, R(t), state_);
-      return length(span(state_, each.spring));
+  std::optional<SpringAtZero> passing(const Watched& each, const Vector2<double>& was, const Vector2<double>& way,
+                                      const R& from, const R& to, const MultibodyStep<R>& step, const Inside& inside) {
+    const auto along = [&](double s) {
+      inside(step, R(from + R(s)), state_);
+      return span(state_, each.spring).dot(way);
     };
-    std::uintmax_t looks = 60;
-    const auto [t, least] = boost::math::tools::brent_find_minima(
-        distance, static_cast<double>(from), static_cast<double>(to), std::numeric_limits<double>::digits / 2, looks);
-    if (!(least <= share_ * each.longest)) return std::nullopt;
-    return SpringAtZero{t, each.spring};
+    const double all = static_cast<double>(to - from);
+    const double first = was.dot(way);
+    const double last = along(all);  // by the method's own steps, which end a little beside the step
+    double s = first < 0 ? all : 0;
+    if (first < 0 && last > 0) {
+      std::uintmax_t looks = 60;
+      const boost::math::tools::eps_tolerance<double> tolerance(std::numeric_limits<double>::digits - 3);
+      s = boost::math::tools::toms748_solve(along, 0.0, all, first, last, tolerance, looks).first;
+    }
+    along(s);
+    if (!(length(span(state_, each.spring)) <= share_ * each.longest)) return std::nullopt;
+    return SpringAtZero{static_cast<double>(from) + s, each.spring};
   }
 
   MultibodyOde<R>& ode_;
