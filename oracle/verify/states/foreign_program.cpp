@@ -201,7 +201,7 @@ std::string run_program(const std::vector<std::string>& command, std::string_vie
   std::string answer;
   std::string complaints;
   const auto too_late = [&] {
-    if (Clock::now() < deadline) {
+    if (next_line_due < deadline) {
       return UnjudgedError(
           fmt::format("\"{}\" printed no line for {} s (--state-timeout) and was stopped; it had printed {} lines. A "
                       "program must write each answer when it has it, not when its buffer is full (python3 -u, fflush)",

@@ -63,7 +63,7 @@ Solution rest_by_quadrature(const Solution& published) {
   Solution s = published;
   const RestPlace place =
       place_under_load([&](Real ratio, Real gap) { return slopes_by_quadrature(s.law, ratio, gap); },
-                       s.rest.load / (s.scale * std::abs(s.rest.spin)));
+                       s.rest.load / (s.scale * std::abs(s.rest.spin)), std::log(s.ratio / s.ratio_gap));
   s.ratio = place.ratio;
   s.ratio_gap = place.gap;
   s.rest.slopes = slopes_by_quadrature(s.law, s.ratio, s.ratio_gap);

@@ -37,10 +37,10 @@ PolarCoefficients polar_coefficients(const SteadySlopes& slopes, long double rat
 Entries in_inertial_axes(const Entries& polar, long double sine, long double cosine);
 
 /// Where F_r² + F_t² is the square of what is wanted, a load over S|ω|; found by Newton's method in log(ε/(1 − ε)).
-/// @param slopes  (ratio, gap) → SteadySlopes;  @param wanted  above 0
+/// @param slopes  (ratio, gap) → SteadySlopes;  @param wanted  above 0;  @param start  log(ε/(1 − ε)) to begin at
 /// @returns ratio NaN where none is found
 template <class Slopes>
-RestPlace place_under_load(const Slopes& slopes, long double wanted);
+RestPlace place_under_load(const Slopes& slopes, long double wanted, long double start = 0);
 
 }  // namespace lubjoint::verify
 

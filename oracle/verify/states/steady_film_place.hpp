@@ -9,12 +9,12 @@
 namespace lubjoint::verify {
 
 template <class Slopes>
-RestPlace place_under_load(const Slopes& slopes, long double wanted) {
+RestPlace place_under_load(const Slopes& slopes, long double wanted, long double start) {
   constexpr long double nan = std::numeric_limits<long double>::quiet_NaN();
   if (!(wanted > 0) || !std::isfinite(wanted)) return {nan, nan};
   const auto place = [](long double x) { return RestPlace{1 / (1 + std::exp(-x)), 1 / (1 + std::exp(x))}; };
   long double low = -100, high = 60;  // ε from 1e-43 to 1 − 1e-26
-  long double x = 0;
+  long double x = start > low && start < high ? start : 0;
   for (int trial = 0; trial < 200; ++trial) {
     const RestPlace here = place(x);
     const SteadySlopes s = slopes(here.ratio, here.gap);
