@@ -173,9 +173,10 @@ NumberOutcome compare_number(const Reference& reference, std::size_t k, double g
   NumberOutcome result{Outcome::right, 0, 17};
   if (error > 0) {
     result.excess = tolerance > 0 ? error / tolerance : std::numeric_limits<double>::max();
-    // Nothing is known of an answer beyond what the reference is good to.
-    const bool known = error > reference.error[k];
-    result.digits = !known ? 17 : size > 0 ? std::clamp(-std::log10(error / size), 0.0, 17.0) + 0.0 : 0;
+    // No digits are counted beyond those that the reference is good to.
+    const double known = std::max(error, reference.error[k]);
+    const double least = error > reference.error[k] ? 0 : 17;
+    result.digits = size > 0 ? std::clamp(-std::log10(known / size), 0.0, 17.0) + 0.0 : least;
   }
   const bool coarse = size > 0 && rounding > std::max(coarsest_tolerance, accepted) * size;
   if (error <= tolerance) {
