@@ -28,7 +28,7 @@ Answers multiples_of_truth(const std::vector<Reference>& references, double fact
   for (const Reference& r : references) {
     values.push_back({static_cast<double>(factor * r.expected[0]), static_cast<double>(factor * r.expected[1]), 0, 0});
   }
-  return answers_from_numbers(std::move(values), 2);
+  return answers_from_numbers(Quantities::cartesian, std::move(values));
 }
 
 }  // namespace
@@ -39,6 +39,7 @@ TEST_CASE("verify: an answer of the wrong sign, or 2, 1/2 or 1.01 times the forc
     INFO(name_of(Law{law}));
     Judgement judgement;
     judgement.law = Law{law};
+    judgement.columns = all_columns(Quantities::cartesian);
     judgement.references = references(Quantities::cartesian, judgement.law, states);
     for (const double factor : {-1.0, 2.0, 0.5, 1.01}) {
       INFO(factor << " times");
@@ -76,7 +77,7 @@ TEST_CASE("verify: only the thinnest opening films wrong, and it still never agr
                             static_cast<double>(times * truth[i].expected[1]), 0, 0});
         }
         const Verification v = verify_answers(Quantities::cartesian, std::string(name), states,
-                                              answers_from_numbers(std::move(values), 2));
+                                              answers_from_numbers(Quantities::cartesian, std::move(values)));
         INFO(name << ", " << factor << " times below " << thinner_than);
         CHECK(v.verdict == Verdict::disagrees);
         CHECK_FALSE(v.accepted());

@@ -73,7 +73,11 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
   const std::string parts = "lib/src/scene_parts.cpp";
   CHECK(documented("The file itself") == asked_for(file, {"read_scene"}));
   CHECK(documented("`[[bodies]]`") == asked_for(file, {"read_body"}));
-  CHECK(documented("`[[loads]]`") == asked_for(file, {"read_load"}));
+  const std::string forces = "lib/src/scene_forces.cpp";
+  CHECK(documented("`[[loads]]`") == asked_for(forces, {"read_load", "read_harmonic", "read_unbalance"}));
+  CHECK(documented("`[[springs]]`") ==
+        asked_for(forces, {"read_spring", "read_rotational", "read_translational_spring"}));
+  CHECK(documented("`[[sensors]]`") == asked_for(forces, {"read_sensor"}));
   CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_shear"}),
                                            asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
   CHECK(documented("`[[constraints]]`") ==
@@ -106,6 +110,7 @@ TEST_CASE("scene reference: laws, integrators and defaults are those of the read
   CHECK(scene.run.output_interval == 2.0 / 1000);
   CHECK_FALSE(scene.energy_ledger);
   CHECK_FALSE(scene.stabilisation.projection);
+  CHECK_FALSE(scene.stabilisation.passes_singular);
   CHECK(scene.stabilisation.alpha == 5);
   CHECK(scene.stabilisation.beta == 5);
   // The rebound at restitution 0.5: the root of the exact relation of a free impact with v0 = 1, d = 3 (1 - 1/4)/4.

@@ -55,7 +55,8 @@ void check_programs(const std::string& name, std::size_t at_least) {
   std::size_t asked = 0;
   for (const auto& row : lubjoint::test::read_csv(folder + name + ".csv")) {
     const Said report =
-        said("--law " + row.at("law") + " --states 100 -- python3 " + folder + name + ".py " + row.at("mode"));
+        said("--law " + row.at("law") + " --states 100 " + (row.contains("options") ? row.at("options") : "") +
+             " -- python3 " + folder + name + ".py " + row.at("mode"));
     INFO(name << " " << row.at("mode") << ": " << row.at("truth") << "\n" << report.text);
     const Verdict verdict = verdict_of(row.at("verdict"));
     CHECK_THAT(report.text, Catch::StartsWith(verdict.begin));
@@ -77,6 +78,16 @@ TEST_CASE("verify: sixteen programs of the kinds that people write are told what
 TEST_CASE("verify: programs written without the gallery in mind are named or located") {
   check_programs("programs", 60);
 }
+
+TEST_CASE("verify: programs of stiffness, damping and equilibrium are named or located column by column") {
+  check_programs("coefficients", 25);
+}
+
+TEST_CASE("verify: programs of torques, power and side flow are named or located column by column") {
+  check_programs("losses", 19);
+}
+
+TEST_CASE("verify: programs of dry contact are named, by law and by mistake") { check_programs("contact", 16); }
 
 TEST_CASE("verify: auto finds the law of numerical, steady and mistaken programs") {
   const std::string folder = LUBJOINT_SOURCE_DIR "/tests/programs/";

@@ -208,9 +208,45 @@ TEST_CASE("verify: an option that would do nothing is refused by name") {
 
 TEST_CASE("verify: a hanging program is stopped with all that it started, in the time given") {
   const auto begin = std::chrono::steady_clock::now();
-  CHECK_THROWS_AS(run_program({"sh", "-c", "sleep 30 | cat"}, "x\n", std::chrono::duration<double>(0.2)),
+  CHECK_THROWS_AS(run_program({"sh", "-c", "sleep 30 | cat"}, "x\n", {.in_all = std::chrono::duration<double>(0.2)}),
                   UnjudgedError);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+}
+
+TEST_CASE("verify: --state-timeout counts from answer to answer, not in all") {
+  // A fifth of a second for each of 24 states: longer in all than may pass from one answer to the next, and a fifteenth
+  // of that, so that a busy machine is no reason to fail.
+  const std::string slow =
+      " -- sh -c 'while IFS= read -r row; do [ \"${row#id}\" = \"$row\" ] && sleep 0.2; echo "
+      "\"$row\" | sed \"s/^id.*/id,fx,fy/;s/^\\([0-9]*\\),.*/\\1,0,0/\"; done'";
+  const auto begin = std::chrono::steady_clock::now();
+  const Ending patient = shell("\"$LUBJOINT\" verify --law short_half --at-most 24 --state-timeout 3" + slow);
+  CHECK(patient.status == 1);  // zeros are wrong, and that they are was said
+  CHECK_THAT(patient.output, Contains("disagrees: short_half, "));
+  CHECK(std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(4000));
+  const Ending hasty = shell("\"$LUBJOINT\" verify --law short_half --at-most 24 --state-timeout 0.05" + slow);
+  CHECK(hasty.status == 2);
+  CHECK_THAT(hasty.output, Contains("printed no line for 0.05 s (--state-timeout)") && Contains("python3 -u"));
+  const Ending both =
+      shell("\"$LUBJOINT\" verify --law short_half --at-most 24 --state-timeout 5 --timeout 0.5" + slow);
+  CHECK(both.status == 2);
+  CHECK_THAT(both.output, Contains("(--timeout)"));
+}
+
+TEST_CASE("verify: --at-most sends so many states, of every regime, and a wrong program is still caught") {
+  const Ending sent = shell("\"$LUBJOINT\" verify --law short_half --at-most 20 --states-out - | wc -l");
+  CHECK_THAT(sent.output, Contains("21"));
+  const Ending right = shell("\"$LUBJOINT\" verify --law short_half --at-most 20 -- python3 $EXAMPLES/short_half.py");
+  CHECK(right.status == 0);
+  for (const char* regime : {"near-concentric", "thin film", "separating", "reversing", "moderate"}) {
+    CHECK_THAT(right.output, Contains(regime));
+  }
+  const Ending wrong =
+      shell("\"$LUBJOINT\" verify --law short_half --at-most 20 -- python3 $EXAMPLES/short_half.py pi");
+  CHECK(wrong.status == 1);
+  CHECK_THAT(wrong.output, Contains("pi_left_out_of_squeeze"));
+  const Ending none = shell("\"$LUBJOINT\" verify --law short_half --at-most 0 -- true");
+  CHECK(none.status == 2);
 }
 
 TEST_CASE("verify: whatever interrupts it ends the program that it has started, and all that this one has") {
@@ -228,8 +264,8 @@ TEST_CASE("verify: whatever interrupts it ends the program that it has started, 
 
 TEST_CASE("verify: a program may answer while it still reads, or not read at all") {
   const std::string much(4'000'000, 'x');
-  CHECK(run_program({"cat"}, much, std::chrono::seconds(60)) == much);
-  CHECK(run_program({"echo", "done"}, much, std::chrono::seconds(60)) == "done\n");
+  CHECK(run_program({"cat"}, much, {}) == much);
+  CHECK(run_program({"echo", "done"}, much, {}) == "done\n");
 }
 
 TEST_CASE("verify: states in a file and answers from a file are judged like a program's") {

@@ -79,6 +79,24 @@ typedef struct lubjoint_coefficients {
   lubjoint_out critical_mass; /* of a rigid rotor, per bearing [kg]; HUGE_VAL where every mass is stable, 0: none is */
 } lubjoint_coefficients;
 
+/* How many velocities carry a force: one; none or two, of half films; a line of them, of laws of the squeeze alone. */
+enum lubjoint_mobility_status {
+  LUBJOINT_MOBILITY_FOUND = 0,
+  LUBJOINT_MOBILITY_NONE = 1,
+  LUBJOINT_MOBILITY_TWO = 2,
+  LUBJOINT_MOBILITY_MANY = 3
+};
+
+/* The velocities that carry a force, to be written. Of two, u is the one with a > 0 and other the one with a < 0; of
+ * many, u is the smallest. NaN stands where there is none, and the status says so. */
+typedef struct lubjoint_mobility {
+  lubjoint_out ux;       /* of the pure squeeze, over the clearance [1/s] */
+  lubjoint_out uy;       /* likewise */
+  lubjoint_out other_ux; /* likewise; other_ux.data and other_uy.data may be null together */
+  lubjoint_out other_uy; /* likewise */
+  int* status;           /* n numbers of enum lubjoint_mobility_status, without gaps */
+} lubjoint_mobility;
+
 /* What went wrong in this thread's last call that did not return 0; never null. */
 LUBJOINT_API const char* lubjoint_message(void);
 LUBJOINT_API const char* lubjoint_version(void);
@@ -107,6 +125,20 @@ LUBJOINT_API int lubjoint_film_losses(const char* law, const lubjoint_bearing* b
 LUBJOINT_API int lubjoint_film_coefficients(const char* law, const lubjoint_bearing* bearing, size_t n,
                                             lubjoint_in eccentricity_ratio, lubjoint_in omega,
                                             const lubjoint_coefficients* coefficients);
+
+/* Where n journals of spin omega (not 0, of either sign) [rad/s] rest under a load (above 0) [N], in a bearing that does
+ * not turn: the root of |F(eccentricity ratio)| = load, which grows from 0 to infinity for every law, and the attitude
+ * angle from the load to the eccentricity, positive in the sense of the spin [rad]. Good to a few roundings of the
+ * load. EDOM: no such place between 1e-300 and 1 - 1e-15. */
+LUBJOINT_API int lubjoint_film_equilibrium(const char* law, const lubjoint_bearing* bearing, size_t n, lubjoint_in load,
+                                           lubjoint_in omega, lubjoint_out eccentricity_ratio, lubjoint_out attitude);
+
+/* Mobility, the inverse of a law: the pure-squeeze velocity u [1/s] at which the film's force on the journal is (fx, fy)
+ * [N], with e/c in the same axes. The journal's own velocity is c u + (omega_journal + omega_bearing)/2 e_perp.
+ * butenschoen has none. */
+LUBJOINT_API int lubjoint_film_mobility(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                        lubjoint_in ex_over_c, lubjoint_in ey_over_c, lubjoint_in fx, lubjoint_in fy,
+                                        const lubjoint_mobility* mobility);
 
 /* Force on a journal that may touch the wall [N]: film, blend, dry contact. Defined for any eccentricity. */
 LUBJOINT_API int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing,

@@ -52,7 +52,13 @@ JournalScene journal_scene(const Scene& scene) {
     refuse("joints[0].shear slows the journal down; allowed here is a spin that is held: spin = {held = ...}",
            joint.line);
   }
+  if (!scene.springs.empty()) {
+    refuse("springs has " + std::to_string(scene.springs.size()) + " entries; a free journal has none");
+  }
   for (const SceneLoad& each : scene.loads) {
+    if (!each.is_constant()) {
+      refuse("loads has one that is not constant, inertial and through the mass centre; allowed here are such");
+    }
     if (each.moment != 0) refuse("loads has a moment; allowed here are forces: the journal's spin is constant");
   }
   Vector2<double> load = body.mass * scene.gravity;

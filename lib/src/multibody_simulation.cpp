@@ -18,6 +18,10 @@ ConstraintUpkeep upkeep_of(const Scene& scene) {
   return scene.stabilisation.projection ? ConstraintUpkeep::by_projection : ConstraintUpkeep::by_accelerations;
 }
 
+MultibodyOptions options_of(const Scene& scene) {
+  return {scene.sensors, scene.stabilisation.passes_singular ? AtSingularPosition::pass : AtSingularPosition::stop};
+}
+
 /// Every state by its own absolute tolerance: a coordinate of 0.1 m says nothing of the clearance that is at stake.
 std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& name, const RunSettings& run,
                                                              const std::vector<double>& tolerances) {
@@ -48,7 +52,7 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   const std::vector<double> tolerances = scene_tolerances<double>(pilot_scene);
   MultibodyOde<double> ode(prepared.system, false);
   MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances),
-                             upkeep_of(scene));
+                             upkeep_of(scene), {{}, options_of(scene).at_singular});
   const RunOutcome outcome = pilot.run(prepared.start);
   detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0,
                                    scene.joints.empty()};
@@ -78,7 +82,7 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
   MultibodyRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
-                           upkeep_of(scene));
+                           upkeep_of(scene), options_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();
@@ -92,6 +96,9 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
   for (const auto& constraint : prepared.system.constraints()) {
     if (constraint.is_driver()) result.driver_names.push_back(constraint.name);
   }
+  result.reactions = recorder.reaction_extremes();
+  result.sensors = recorder.sensor_extremes();
+  for (const SingularPosition& each : run.passed()) result.passed.push_back({each.t, run.constraint(each)});
   result.events = run.events();
   result.slides = run.slides();
   result.drift = recorder.drift();

@@ -15,6 +15,7 @@
 #include "lubjoint/text/nearest_name.hpp"
 #include "lubjoint/text/printable.hpp"
 #include "scene_changes.hpp"
+#include "scene_forces.hpp"
 #include "scene_parts.hpp"
 
 namespace lubjoint {
@@ -61,15 +62,6 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   return body;
 }
 
-SceneLoad read_load(TableReader table, const Scene& scene) {
-  SceneLoad load;
-  load.body = read_body_name(table, "body", scene, false);
-  if (!table.has("moment") || table.has("force")) load.force = table.vector("force", "N");
-  load.moment = table.number_or("moment", 0, Allowed::any, "N m");
-  table.finish();
-  return load;
-}
-
 /// The friction of a joint's film, if there is one.
 std::optional<ShearExtent> read_shear(TableReader& table, const std::string& film) {
   if (!table.has("shear")) return std::nullopt;
@@ -86,16 +78,6 @@ std::optional<ShearExtent> read_shear(TableReader& table, const std::string& fil
         free ? "flooded: the law does not know the bounds of its film" : "film or flooded; striated is for half films");
   }
   return shear;
-}
-
-/// Where an anchor is at t = 0, inertial [m].
-Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
-  if (anchor.on_ground()) return anchor.point;
-  const SceneBody& body = scene.bodies[anchor.body];
-  const double cosine = std::cos(body.angle);
-  const double sine = std::sin(body.angle);
-  const Vector2<double>& s = anchor.point;
-  return body.position + Vector2<double>(cosine * s.x() - sine * s.y(), sine * s.x() + cosine * s.y());
 }
 
 /// A law of finite length is not made for every L/D.
@@ -211,7 +193,12 @@ void require_massless_journals(const TableReader& root, const Scene& scene) {
   const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& b) { return b.mass == 0; });
   if (!any || is_free_journal(scene)) return;
   const bool alone = scene.bodies.size() == 1 && scene.joints.size() == 1 && scene.constraints.empty();
+  const bool steady =
+      std::all_of(scene.loads.begin(), scene.loads.end(), [](const auto& l) { return l.is_constant(); });
   const char* why = !alone                    ? "in a mechanism"
+                    : !scene.springs.empty()  ? "on a spring"
+                    : !scene.sensors.empty()  ? "in a scene with sensors"
+                    : !steady                 ? "under a load that is not constant, inertial and through its centre"
                     : scene.joints[0].contact ? "in a bearing whose wall it may touch"
                     : scene.energy_ledger     ? "in a scene with an energy ledger, whose kinetic energy it has none of"
                                               : "with a moment, or a bearing or a pin off the centres";
@@ -236,6 +223,8 @@ Scene read_scene(TableReader root, const std::string& file) {
   for (const TableReader& table : root.tables("constraints")) {
     scene.constraints.push_back(read_constraint(table, scene));
   }
+  for (const TableReader& table : root.tables("springs")) scene.springs.push_back(read_spring(table, scene));
+  for (const TableReader& table : root.tables("sensors")) scene.sensors.push_back(read_sensor(table, scene));
   if (!root.has("joints") && !root.has("constraints")) {  // a file cut off there would run as free flight
     root.refuse("joints", "missing, and so is constraints",
                 "at least one [[joints]] or [[constraints]] table, or joints = [] for bodies that fly freely");
@@ -279,7 +268,8 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// May a string open at this quote? Within a word it is part of a value that is not allowed, up to whose end toml++ reads on.
+/// May a string open at this quote? Within a word it is part of a value that is not allowed, up to whose end toml++
+/// reads on.
 bool opens_string(std::string_view text, std::size_t quote) {
   return quote == 0 || std::string_view(" \t\r\n=,[{.").find(text[quote - 1]) != std::string_view::npos;
 }

@@ -184,6 +184,15 @@ SceneStabilisation read_stabilisation(TableReader table) {
   } else {
     table.refuse("method", in_quotes(method), "\"baumgarte\" or \"projection\"");
   }
+  const std::string at_singular = table.text_or("singular_positions", "stop");
+  if (at_singular != "stop" && at_singular != "pass") {
+    table.refuse("singular_positions", in_quotes(at_singular), "\"stop\" or \"pass\"");
+  }
+  stabilisation.passes_singular = at_singular == "pass";
+  if (stabilisation.passes_singular && !stabilisation.projection) {
+    table.refuse("singular_positions", "\"pass\" with Baumgarte's terms, whose drift decides where a run leaves one",
+                 "\"stop\", or \"pass\" with method = \"projection\"");
+  }
   table.finish();
   return stabilisation;
 }

@@ -82,7 +82,12 @@ TrajectoryTable trajectory_table(const Scene& scene, const MultibodyTrajectory& 
   for (const std::string& driver : run.driver_names) table.columns.push_back(driver + ".moment");
   if (scene.energy_ledger) {
     table.columns.insert(table.columns.end(), {"energy.kinetic", "energy.potential"});
-    for (const char* term : ledger_names) table.columns.push_back(std::string("work.") + term);
+    for (std::size_t i = 0; i < ledger_works(scene); ++i) {
+      table.columns.push_back(std::string("work.") + ledger_names[i]);
+    }
+  }
+  for (const Sensor& sensor : scene.sensors) {
+    for (const char* quantity : sensor_quantities(sensor)) table.columns.push_back(sensor.name + "." + quantity);
   }
   const std::size_t n = 3 * scene.bodies.size();
   table.rows.reserve(run.samples.size());
@@ -101,6 +106,7 @@ TrajectoryTable trajectory_table(const Scene& scene, const MultibodyTrajectory& 
     }
     row.insert(row.end(), s.driving_moments.begin(), s.driving_moments.end());
     row.insert(row.end(), s.ledger.begin(), s.ledger.end());
+    row.insert(row.end(), s.sensors.begin(), s.sensors.end());
     table.rows.push_back(std::move(row));
   }
   return table;

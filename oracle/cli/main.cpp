@@ -46,6 +46,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_compile_film(app, action);
   add_oracle(app, action);
   add_model_error(app, action);
+  add_benchmark(app, action);
   add_accuracy(app, action);
   add_other(app, action, "bench");
   add_other(app, action, "cost");

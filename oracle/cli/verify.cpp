@@ -30,6 +30,8 @@ struct VerifyOptions {
   std::uint64_t seed = 1;
   std::string golden = golden_folder();
   double timeout = 60;
+  std::optional<double> state_timeout;
+  std::optional<std::size_t> at_most;
   std::string states_out;
   std::string answers;
   std::string scene;
@@ -38,8 +40,9 @@ struct VerifyOptions {
   double unit = 1;  ///< of answers without dimensions, over S ω
   std::string only;
   bool steady = false;
-  std::string onset;     ///< of finite_reynolds
-  std::string language;  ///< of the template to print
+  std::string onset;           ///< of finite_reynolds
+  std::string shear = "film";  ///< of losses
+  std::string language;        ///< of the template to print
   bool list_mistakes = false;
   bool markdown = false;
   bool json = false;
@@ -85,11 +88,12 @@ void refuse_options_without_effect(const VerifyOptions& o) {
   }
   if (!o.states_out.empty() && o.program.empty() && o.answers.empty()) {
     return allow("with --states-out", {"--states-out", "--law", "--onset", "--quantities", "--states", "--seed",
-                                       "--golden", "--only", "--steady"});
+                                       "--golden", "--only", "--steady", "--shear", "--at-most"});
   }
   if (!o.answers.empty() && o.program.empty()) {
-    return allow("with --answers", {"--answers", "--states-out", "--law", "--onset", "--quantities", "--states",
-                                    "--seed", "--golden", "--tolerance", "--unit", "--only", "--steady", "--json"});
+    return allow("with --answers",
+                 {"--answers", "--states-out", "--law", "--onset", "--quantities", "--states", "--seed", "--golden",
+                  "--tolerance", "--unit", "--only", "--steady", "--shear", "--at-most", "--json"});
   }
   for (const std::string& name : o.given) {
     if (name == "--markdown") throw std::invalid_argument("--markdown does nothing without --list-mistakes");
@@ -99,17 +103,50 @@ void refuse_options_without_effect(const VerifyOptions& o) {
 /// Is a film of finite length claimed, which the solver judges?
 bool claims_finite_film(const VerifyOptions& o) { return is_compiled_law(o.law); }
 
+/// What --law may be.
+std::vector<std::string_view> laws_for(verify::Quantities quantities) {
+  std::vector<std::string_view> names = {"auto"};
+  if (quantities == verify::Quantities::contact) {
+    for (const LawFacts& law : verify::contact_law_facts) names.push_back(law.name);
+  } else {
+    names.insert(names.end(), verify::law_names.begin(), verify::law_names.end());
+    const auto& finite = names_of_laws<CompiledLaws>;
+    names.insert(names.end(), finite.begin(), finite.end());
+  }
+  return names;
+}
+
+/// Options that mean nothing for a table, or for other tables.
+void check_table(const VerifyOptions& o) {
+  const auto is_given = [&](const char* name) { return std::ranges::find(o.given, name) != o.given.end(); };
+  const verify::Quantities quantities = verify::quantities_of(o.quantities);
+  shear_extent(o.shear);  // refuses what is none
+  if (is_given("--shear") && quantities != verify::Quantities::losses) {
+    throw std::invalid_argument("--shear does nothing with --quantities " + o.quantities +
+                                "; allowed is it with losses");
+  }
+  if (o.steady) static_cast<void>(verify::steady_conditions(quantities));  // refuses
+  if (o.shear != "striated") return;
+  if (o.law == "auto" || o.law.empty() || verify::facts_of(verify::law_of(o.law)).extent != FilmExtent::half) {
+    throw std::invalid_argument(
+        "--shear striated is defined for half films alone; allowed are film and flooded, or "
+        "--law short_half, long_half or long_half_eq5");
+  }
+}
+
 void check(const VerifyOptions& o) {
   if (o.law.empty() && o.states_out.empty()) {
-    throw std::invalid_argument("--law is missing; allowed are auto, " + listed_film_laws<StateFilmLaws>());
+    std::string list;
+    for (const std::string_view name : laws_for(verify::quantities_of(o.quantities))) {
+      list.append(list.empty() ? "" : ", ").append(name);
+    }
+    throw std::invalid_argument("--law is missing; allowed are " + list);
   }
   if (!o.law.empty()) {
-    std::vector<std::string_view> allowed = {"auto"};
-    const auto& names = names_of_laws<StateFilmLaws>;
-    allowed.insert(allowed.end(), names.begin(), names.end());
-    const auto& finite = names_of_laws<CompiledLaws>;
-    allowed.insert(allowed.end(), finite.begin(), finite.end());
-    require_name("--law", o.law, allowed);
+    require_name("--law", o.law, laws_for(verify::quantities_of(o.quantities)));
+  }
+  if (o.state_timeout) {
+    require_option("--state-timeout", *o.state_timeout, *o.state_timeout > 0, "a time in seconds above 0");
   }
   require_option("--timeout", o.timeout, o.timeout > 0, "a time in seconds above 0");
   if (o.tolerance) {
@@ -123,6 +160,7 @@ void check(const VerifyOptions& o) {
   if (o.quantities == "dimensionless" && std::ranges::find(o.given, "--golden") != o.given.end()) {
     throw std::invalid_argument("--golden does nothing with --quantities dimensionless: the golden data have SI units");
   }
+  check_table(o);
   require_option("--unit", o.unit, std::isfinite(o.unit) && o.unit > 0, "a number above 0");
   const int ways = (o.program.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1) + (o.states_out.empty() ? 0 : 1);
   if (ways == 1) return;
@@ -186,9 +224,7 @@ verify::Conjunction domain_of(const VerifyOptions& o, verify::Quantities quantit
   verify::Conjunction domain;
   if (!o.only.empty()) domain = verify::read_conditions(quantities, o.only);
   if (!o.steady) return domain;
-  const char* steady =
-      verify::is_polar(quantities) ? "squeeze_rate == 0, attitude_rate == 0" : "speed == 0, omega_bearing == 0";
-  for (verify::Condition& condition : verify::read_conditions(quantities, steady)) domain.push_back(condition);
+  for (const verify::Condition& condition : verify::steady_conditions(quantities)) domain.push_back(condition);
   return domain;
 }
 
@@ -200,13 +236,36 @@ std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities 
                                   "; allowed is the folder data/golden that comes with lubjoint, as it came");
     }
   }
-  return verify::states_to_verify(quantities, o.golden, o.states, o.seed, domain_of(o, quantities));
+  std::vector<verify::State> states =
+      verify::states_to_verify(quantities, o.golden, o.states, o.seed, domain_of(o, quantities));
+  const ShearExtent shear = shear_extent(o.shear);
+  for (verify::State& state : states) {
+    state.shear = shear;
+    if (shear != ShearExtent::film) state.golden.reset();  // certified are the films' own losses
+  }
+  return o.at_most ? verify::covering_states(quantities, std::move(states), *o.at_most) : states;
+}
+
+/// What the program answers, with a line on a terminal that counts.
+std::string answers_of_program(const VerifyOptions& o, const std::string& states, std::size_t count) {
+  reports::ProgressBar bar("waiting for answers", count);
+  verify::ProgramLimits limits;
+  limits.in_all = std::chrono::duration<double>(o.timeout);
+  if (o.state_timeout) {
+    limits.between_lines = std::chrono::duration<double>(*o.state_timeout);
+    if (std::ranges::find(o.given, "--timeout") == o.given.end()) limits.in_all.reset();
+  }
+  std::size_t answered = 0;
+  limits.on_lines = [&](std::size_t lines) {
+    for (; answered + 1 < lines && answered < count; ++answered) bar.advance();  // the first line is the header
+  };
+  return verify::run_program(o.program, states, limits);
 }
 
 /// A film of finite length: its states, its judge and its report are its own.
 int run_finite(const VerifyOptions& o) {
   for (const std::string& name : o.given) {
-    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--only", "--steady"}) {
+    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--only", "--steady", "--shear"}) {
       if (name == other) throw std::invalid_argument(name + " does nothing with --law " + o.law);
     }
   }
@@ -220,6 +279,7 @@ int run_finite(const VerifyOptions& o) {
     if (o.onset == "maximum_film") claim.onset = oracle::FilmOnset::maximum_film;
   }
   std::vector<verify::State> states = verify::finite_states(quantities);
+  if (o.at_most) states = verify::covering_states(quantities, std::move(states), *o.at_most);
   const std::string csv = verify::states_csv(quantities, states);
   if (!o.states_out.empty()) {
     if (o.states_out == "-") {
@@ -232,9 +292,7 @@ int run_finite(const VerifyOptions& o) {
   }
   try {
     const bool from_file = !o.answers.empty();
-    const std::string text = from_file
-                                 ? reports::read_input(o.answers)
-                                 : verify::run_program(o.program, csv, {std::chrono::duration<double>(o.timeout)});
+    const std::string text = from_file ? reports::read_input(o.answers) : answers_of_program(o, csv, states.size());
     const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
     verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
     const auto result = verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers),
@@ -283,8 +341,7 @@ int run(const VerifyOptions& o) {
   try {
     const bool from_file = !o.answers.empty();
     const std::string text = from_file ? reports::read_input(o.answers)
-                                       : verify::run_program(o.program, verify::states_csv(quantities, states),
-                                                             std::chrono::duration<double>(o.timeout));
+                                       : answers_of_program(o, verify::states_csv(quantities, states), states.size());
     const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
     verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
     verify::scale(answers, o.unit);
@@ -315,6 +372,12 @@ std::string described_quantities() {
     text += '\n';
   }
   return text +
+         "coefficients, equilibrium: load along -y [N], bearing at rest; F = -K e - C v in these axes, the first index "
+         "is\n"
+         "the force's direction; attitude from the load to e, positive in the sense of the spin [rad]. losses: "
+         "torques\n"
+         "about each body's own centre. Any columns of these three may be given; those that are there are judged.\n"
+         "contact: --law lankarani_nikravesh, hunt_crossley, flores, gonthier or auto.\n"
          "id may be left out of answers that keep the order of the states.\n"
          "States with e = 0 come, too. There the radial direction is that of the journal's velocity relative to the\n"
          "bearing, and the force is the limit e -> 0; with e = 0 and no velocity it is 0. No answer may be nan.\n"
@@ -332,13 +395,19 @@ void add_verify(CLI::App& app, Action& action) {
       "finite_half,\nfinite_dynamic or finite_reynolds: the film of the bearing's length, by the solver");
   command->add_option("--onset", options->onset,
                       "Where the film of finite_reynolds begins in steady rotation: free (default) or maximum_film");
-  command->add_option("--quantities", options->quantities,
-                      "cartesian, polar, wrench, transition, extent, pressure or dimensionless");
+  command->add_option(
+      "--quantities", options->quantities,
+      "cartesian, polar, wrench, transition, extent, pressure, dimensionless, coefficients, equilibrium, "
+      "losses or contact");
   command->add_option("--states", options->states, "Random states beside the golden and the designed ones")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
   command->add_option("--seed", options->seed, "Seed of the random states");
   command->add_option("--golden", options->golden, "Folder of the golden data that comes with lubjoint");
   command->add_option("--timeout", options->timeout, "Seconds that the program may take");
+  command->add_option("--state-timeout", options->state_timeout,
+                      "Seconds from one answer to the next that the program may take; then --timeout has no default");
+  command->add_option("--at-most", options->at_most, "States in all, chosen to cover the regimes: for a slow program")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   command->add_option("--states-out", options->states_out, "Write the states to this file and do no more; - is stdout");
   command->add_option("--answers", options->answers,
                       "Judge the answers in this file; --quantities, --states and --seed as for --states-out");
@@ -355,6 +424,9 @@ void add_verify(CLI::App& app, Action& action) {
       "--only", options->only,
       "Domain that the program is meant for: conditions such as \"omega_sum > 0, eccentricity_ratio > 0\"");
   command->add_flag("--steady", options->steady, "Steady states alone: no squeeze, no whirl, the bearing at rest");
+  command->add_option("--shear", options->shear,
+                      "With --quantities losses, the part of the gap that shears: film (default), flooded or, of half "
+                      "films, striated");
   command->add_option("--template", options->language,
                       "Print an adapter with a place for one's own film force and do no more: python, octave (and "
                       "MATLAB), c, cpp, fortran or julia");

@@ -212,6 +212,16 @@ void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement)
     add("joints with clearance", true, std::to_string(scene.joints.size()) + " made ideal pins",
         with_ideal_joints(scene));
   }
+  if (!scene.springs.empty()) {
+    Scene free = scene;
+    free.springs.clear();
+    add("springs", true, std::to_string(scene.springs.size()) + " left out", free);
+  }
+  if (cost.moving_loads > 0) {
+    Scene steady = scene;
+    std::erase_if(steady.loads, [](const SceneLoad& load) { return !load.is_constant(); });
+    add("moving loads", true, std::to_string(cost.moving_loads) + " left out", steady);
+  }
   if (scene.constraints.empty()) return;
   Scene keeping = scene;
   const bool baumgarte = scene.stabilisation.alpha != 0 || scene.stabilisation.beta != 0;
@@ -225,7 +235,10 @@ void count_scene(const Scene& scene, SceneCost& cost) {
   cost.constraints = scene.constraints.size();
   cost.loads = scene.loads.size();
   cost.weights = scene.gravity.norm() > 0 ? scene.bodies.size() : 0;
-  cost.ledger_terms = scene.energy_ledger ? ledger_terms : 0;
+  cost.ledger_terms = scene.energy_ledger ? ledger_works(scene) : 0;
+  cost.springs = scene.springs.size();
+  cost.moving_loads = static_cast<std::size_t>(
+      std::ranges::count_if(scene.loads, [](const auto& load) { return !load.is_constant(); }));
   for (const SceneJoint& joint : scene.joints) {
     if (joint.contact) {
       ++cost.contacts;
@@ -269,6 +282,9 @@ void measure_general(const Scene& scene, SceneCost& cost, Measurement& measureme
   const double* y = equations.y.data();
   part("frames", repeated([&system, &w, y] { system.place(y, w); }));
   part("loads and joint forces", repeated([&system, &ode, &w] { system.apply_forces(ode.memory(), w); }));
+  if (!system.elements().empty()) {
+    part("springs and moving loads", repeated([&system, &w] { system.apply_elements(0.0, w); }));
+  }
   if (cost.constraint_rows > 0) {
     part("constraint rows", repeated([&system, &w] { system.evaluate_constraints(0.0, w); }));
     part("assembly and factorisation", repeated([&system, &w] { system.factorise(w); }));

@@ -47,7 +47,9 @@ struct SceneCost {
   std::size_t schur_stored = 0;
   std::vector<std::pair<std::string, std::size_t>> films;  ///< law, number of joints
   std::size_t contacts = 0;
-  std::size_t loads = 0;
+  std::size_t loads = 0;         ///< of any kind
+  std::size_t moving_loads = 0;  ///< those that are not constant, inertial and through the mass centre
+  std::size_t springs = 0;
   std::size_t weights = 0;
   std::size_t contact_seams = 0;  ///< at which a run looks for events
   std::size_t film_jumps = 0;     ///< of half films, followed event by event

@@ -53,6 +53,8 @@ Json cost_json(const SceneCost& cost) {
     }
     return list;
   };
+  Json force_terms{{"films", films}, {"contacts", cost.contacts}, {"loads", cost.loads}, {"weights", cost.weights}};
+  if (cost.springs > 0) force_terms["springs"] = cost.springs;
   return {{"scene", cost.scene},
           {"equations", cost.free_journal ? "free journal" : "constrained bodies"},
           {"message", cost.free_journal ? no_solve : ""},
@@ -65,8 +67,7 @@ Json cost_json(const SceneCost& cost) {
           {"constraint_jacobian_nonzeros", cost.constraint_nonzeros},
           {"rhs_jacobian_nonzeros", cost.rate_nonzeros},
           {"schur_stored", cost.schur_stored},
-          {"force_terms",
-           {{"films", films}, {"contacts", cost.contacts}, {"loads", cost.loads}, {"weights", cost.weights}}},
+          {"force_terms", force_terms},
           {"events", {{"contact_seams", cost.contact_seams}, {"film_jumps", cost.film_jumps}}},
           {"ledger_terms", cost.ledger_terms},
           {"rhs_ns", cost.nanoseconds},
@@ -91,9 +92,10 @@ std::string cost_text(const SceneCost& cost) {
         cost.constraints, cost.constraint_rows, cost.constraint_nonzeros, cost.constraint_rows * cost.coordinates,
         cost.schur_stored, full);
   }
-  text +=
-      fmt::format("force terms    {}, {} contacts, {} loads, {} weights\nevents         {}\nledger         {} terms\n",
-                  films_of(cost), cost.contacts, cost.loads, cost.weights, events_of(cost), cost.ledger_terms);
+  const std::string springs = cost.springs > 0 ? fmt::format(", {} springs", cost.springs) : "";
+  text += fmt::format(
+      "force terms    {}, {} contacts, {} loads, {} weights{}\nevents         {}\nledger         {} terms\n",
+      films_of(cost), cost.contacts, cost.loads, cost.weights, springs, events_of(cost), cost.ledger_terms);
   text += fmt::format("\n{:<50} {:>9.1f} ns\n", "one right-hand side", cost.nanoseconds);
   for (const CostPart& part : cost.parts) {
     text += fmt::format("  {:<48} {:>9.1f} ns {:>7.1f} %\n", part.name, part.nanoseconds, 100 * part.share);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "oracle/results/multibody_report.hpp"
 #include "oracle/results/outcome_words.hpp"
 
 namespace lubjoint::reports {
@@ -21,7 +22,8 @@ void require_finished(const RunOutcome& outcome, const char* part) {
       fmt::format("the extremes after a time need a run that reaches its end; {} {}", part, outcome.message));
 }
 
-/// The scene from a state on: drivers go on from where they are, f(t + T) = (φ₀ + ωT + ½αT²) + (ω + αT)t + ½αt².
+/// The scene from a state on: drivers go on from where they are, f(t + T) = (φ₀ + ωT + ½αT²) + (ω + αT)t + ½αt², and so
+/// do harmonic loads.
 Scene continued(const Scene& scene, double after) {
   Scene late = scene;
   late.run.duration = scene.run.duration - after;
@@ -30,6 +32,9 @@ Scene continued(const Scene& scene, double after) {
     if (driver == nullptr) continue;
     driver->angle += after * (driver->speed + after * driver->acceleration / 2);
     driver->speed += after * driver->acceleration;
+  }
+  for (SceneLoad& load : late.loads) {
+    if (load.harmonic) load.harmonic->phase += after * load.harmonic->rate;
   }
   return late;
 }
@@ -52,7 +57,7 @@ LateExtremes of_journal(const Scene& scene, const Scene& head, Scene late, doubl
   JointExtremes extremes;
   extremes.eccentricity = {clearance - run.min_film_thickness, run.t_max_eccentricity_ratio + after};
   extremes.force = {run.max_force, run.t_max_force + after};
-  return {after, {extremes}, {}};
+  return {after, {extremes}, {}, {}};
 }
 
 LateExtremes of_mechanism(const Scene& scene, const Scene& head, Scene late, double after) {
@@ -78,7 +83,7 @@ LateExtremes of_mechanism(const Scene& scene, const Scene& head, Scene late, dou
   }
   const MultibodyTrajectory run = simulate_multibody(late);
   require_finished(run.outcome, "after it this one");
-  LateExtremes result{after, run.joints, run.drivers};
+  LateExtremes result{after, run.joints, run.drivers, run.reactions};
   for (JointExtremes& joint : result.joints) {
     shift(joint.eccentricity, after);
     shift(joint.force, after);
@@ -86,6 +91,10 @@ LateExtremes of_mechanism(const Scene& scene, const Scene& head, Scene late, dou
   for (DriverExtremes& driver : result.drivers) {
     shift(driver.max_moment, after);
     shift(driver.min_moment, after);
+  }
+  for (ReactionExtremes& reaction : result.reactions) {
+    shift(reaction.force, after);
+    if (reaction.moment) shift(*reaction.moment, after);
   }
   return result;
 }
@@ -167,6 +176,12 @@ void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, cons
     summary["drivers"][d]["after"] = after;
     if (d == 0) summary["driver"]["after"] = after;
   }
+  for (std::size_t r = 0; r < late.reactions.size(); ++r) {
+    nlohmann::ordered_json after = reaction_json(scene, late.reactions[r]);
+    after.erase("name");
+    summary["reactions"][r]["after"] = {{"t", late.after}};
+    summary["reactions"][r]["after"].update(after);
+  }
 }
 
 std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
@@ -184,6 +199,9 @@ std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
     const DriverExtremes& driver = late.drivers[d++];
     text += fmt::format("  {:<10} moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n", each.name,
                         driver.min_moment.value, driver.min_moment.t, driver.max_moment.value, driver.max_moment.t);
+  }
+  for (const ReactionExtremes& reaction : late.reactions) {
+    text += fmt::format("  {:<10} {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
   }
   return text;
 }

@@ -11,9 +11,10 @@ namespace lubjoint::reports {
 
 /// The largest values from a time on. Times are those of the whole run.
 struct LateExtremes {
-  double after;                         ///< [s]
-  std::vector<JointExtremes> joints;    ///< in the scene's order
-  std::vector<DriverExtremes> drivers;  ///< in the scene's order
+  double after;                             ///< [s]
+  std::vector<JointExtremes> joints;        ///< in the scene's order
+  std::vector<DriverExtremes> drivers;      ///< in the scene's order
+  std::vector<ReactionExtremes> reactions;  ///< of the constraints that are no drivers, in the scene's order
 };
 
 /// Runs the scene to a time, and from its state there to the end: the extremes of the second part, with the accuracy of
@@ -27,7 +28,7 @@ LateExtremes late_extremes(const Scene& scene, double after);
 /// @throws std::invalid_argument  nothing turns, drivers that turn differently, or less than a revolution
 double start_of_last_revolution(const Scene& scene);
 
-/// Adds the key `after` to each joint and each driver of a summary.
+/// Adds the key `after` to each joint, driver and reaction of a summary.
 void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, const LateExtremes& late);
 
 /// The lines of a summary.

@@ -48,7 +48,69 @@ nlohmann::ordered_json rebound_json(const SceneJoint& joint) {
   return contact_json(joint, joint.contact ? rebound_ratio(joint.contact->restitution) : 0);
 }
 
+nlohmann::ordered_json sensors_json(const Scene& scene, const MultibodyTrajectory& run) {
+  nlohmann::ordered_json sensors = nlohmann::ordered_json::array();
+  std::size_t k = 0;
+  for (const Sensor& sensor : scene.sensors) {
+    sensors.push_back({{"name", sensor.name}});
+    for (const char* quantity : sensor_quantities(sensor)) {
+      const SensorExtremes& e = run.sensors[k++];
+      sensors.back()[quantity] = {{"max", e.max.value}, {"t_max", e.max.t}, {"min", e.min.value}, {"t_min", e.min.t}};
+    }
+  }
+  return sensors;
+}
+
+nlohmann::ordered_json passed_json(const MultibodyTrajectory& run) {
+  nlohmann::ordered_json passed = nlohmann::ordered_json::array();
+  for (const PassedPosition& each : run.passed) passed.push_back({{"t", each.t}, {"constraint", each.constraint}});
+  return passed;
+}
+
+/// Peaks of the constraints' reactions, a line each.
+std::string reactions_text(const Scene& scene, const MultibodyTrajectory& run) {
+  std::string text;
+  for (const ReactionExtremes& reaction : run.reactions) {
+    text += fmt::format("reaction     {}: {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
+  }
+  return text;
+}
+
+std::string sensors_text(const Scene& scene, const MultibodyTrajectory& run) {
+  std::string text;
+  std::size_t k = 0;
+  for (const Sensor& sensor : scene.sensors) {
+    text += fmt::format("sensor       {}\n", sensor.name);
+    for (const char* quantity : sensor_quantities(sensor)) {
+      const SensorExtremes& e = run.sensors[k++];
+      text += fmt::format("  {:<10} from {:.6g} at {:.6g} s to {:.6g} at {:.6g} s\n", quantity, e.min.value, e.min.t,
+                          e.max.value, e.max.t);
+    }
+  }
+  return text;
+}
+
 }  // namespace
+
+nlohmann::ordered_json reaction_json(const Scene& scene, const ReactionExtremes& reaction) {
+  nlohmann::ordered_json json{{"name", scene.constraints[reaction.constraint].name},
+                              {"max_force", reaction.force.value},
+                              {"t_max_force", reaction.force.t},
+                              {"max_moment", nullptr},
+                              {"t_max_moment", nullptr}};
+  if (reaction.moment) {
+    json["max_moment"] = reaction.moment->value;
+    json["t_max_moment"] = reaction.moment->t;
+  }
+  return json;
+}
+
+std::string reaction_words(const ReactionExtremes& reaction) {
+  std::string text = fmt::format("force {:.6g} N at {:.6g} s", reaction.force.value, reaction.force.t);
+  if (reaction.moment)
+    text += fmt::format(", moment {:.6g} N m at {:.6g} s", reaction.moment->value, reaction.moment->t);
+  return text;
+}
 
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run) {
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();
@@ -88,6 +150,8 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   };
   nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
   for (std::size_t d = 0; d < run.drivers.size(); ++d) drivers.push_back(driver_json(d));
+  nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
+  for (const ReactionExtremes& reaction : run.reactions) reactions.push_back(reaction_json(scene, reaction));
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const ContactEvent& event : run.events) {
     events.push_back({{"t", event.t},
@@ -105,6 +169,8 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   summary["joints"] = joints;
   summary["driver"] = driver;
   summary["drivers"] = drivers;
+  summary["reactions"] = reactions;
+  if (!scene.sensors.empty()) summary["sensors"] = sensors_json(scene, run);
   summary["energy_residual"] = residual;
   summary["energy_scale"] = run.energy_scale;
   summary["constraint_drift"] = {{"position", run.drift.position}, {"velocity", run.drift.velocity}};
@@ -112,6 +178,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                                  {"angle", run.correction.angle},
                                  {"velocity", run.correction.velocity},
                                  {"spin", run.correction.spin}};
+  if (scene.stabilisation.passes_singular) summary["singular_positions"] = passed_json(run);
   summary["contact_events"] = events;
   return summary;
 }
@@ -143,6 +210,11 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
     text += fmt::format("driver       {}: moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n",
                         run.driver_names[d], run.drivers[d].min_moment.value, run.drivers[d].min_moment.t,
                         run.drivers[d].max_moment.value, run.drivers[d].max_moment.t);
+  }
+  text += reactions_text(scene, run) + sensors_text(scene, run);
+  for (const PassedPosition& each : run.passed) {
+    text += fmt::format("singular     passed at {:.6g} s, where \"{}\" repeats what other constraints fix\n", each.t,
+                        each.constraint);
   }
   if (!scene.constraints.empty()) {
     text += fmt::format(

@@ -12,4 +12,9 @@ namespace lubjoint::reports {
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run);
 std::string summary_text(const Scene& scene, const MultibodyTrajectory& run);
 
+/// Peaks of a constraint's reaction: name, max_force, t_max_force, max_moment, t_max_moment (none of a pin).
+nlohmann::ordered_json reaction_json(const Scene& scene, const ReactionExtremes& reaction);
+/// The same in words.
+std::string reaction_words(const ReactionExtremes& reaction);
+
 }  // namespace lubjoint::reports

@@ -26,6 +26,8 @@ constexpr const char* late_joint_extremes[] = {"t",           "max_eccentricity_
                                                "t_max_force", "min_film_thickness",     "t_min_film_thickness"};
 constexpr const char* joint_ends[] = {"ex_over_c", "ey_over_c", "fx", "fy"};
 constexpr const char* driver_extremes[] = {"max_moment", "t_max_moment", "min_moment", "t_min_moment"};
+constexpr const char* reaction_extremes[] = {"max_force", "t_max_force", "max_moment", "t_max_moment"};
+constexpr const char* sensor_extremes[] = {"max", "t_max", "min", "t_min"};
 constexpr const char* costs[] = {"steps", "rejected_steps", "rhs_evaluations"};
 
 std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid, bool late) {
@@ -48,6 +50,18 @@ std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid, b
   }
   columns.emplace_back("energy_residual");
   columns.insert(columns.end(), std::begin(costs), std::end(costs));
+  for (const SceneConstraint& each : scene.constraints) {
+    if (each.is_driver()) continue;
+    for (const char* name : reaction_extremes) columns.push_back(each.name + "." + name);
+    for (const char* name : reaction_extremes) {
+      if (late) columns.push_back(each.name + ".after." + name);
+    }
+  }
+  for (const Sensor& sensor : scene.sensors) {
+    for (const char* quantity : sensor_quantities(sensor)) {
+      for (const char* name : sensor_extremes) columns.push_back(sensor.name + "." + quantity + "." + name);
+    }
+  }
   return columns;
 }
 
@@ -81,6 +95,15 @@ std::vector<std::string> fields_of(const Json& run, bool late) {
   }
   fields.push_back(field(run.at("energy_residual")));
   add(run, costs);
+  for (const Json& reaction : run.value("reactions", Json::array())) {
+    add(reaction, reaction_extremes);
+    if (late) add(reaction.value("after", Json()), reaction_extremes);
+  }
+  for (const Json& sensor : run.value("sensors", Json::array())) {
+    for (const auto& [quantity, extremes] : sensor.items()) {
+      if (quantity != "name") add(extremes, sensor_extremes);
+    }
+  }
   return fields;
 }
 

@@ -22,11 +22,7 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& all, std::size_
 class Matcher {
  public:
   Matcher(const Judgement& judgement, const std::vector<State>& states, const Answers& answers, double precision)
-      : judgement_(judgement),
-        states_(states),
-        answers_(answers),
-        precision_(precision),
-        columns_(answer_columns(judgement.quantities).size()) {
+      : judgement_(judgement), states_(states), answers_(answers), precision_(precision) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Comparison& c = judgement.comparisons[i];
       if (c.left_out()) continue;
@@ -39,6 +35,7 @@ class Matcher {
     }
   }
 
+  const std::vector<std::size_t>& columns() const { return judgement_.columns; }
   const std::vector<std::size_t>& failing() const { return failing_; }
   const std::vector<std::size_t>& passing() const { return passing_; }
 
@@ -52,7 +49,7 @@ class Matcher {
   Match match(const std::vector<Change>& changes, std::size_t i) const {
     const Solution wrong = predicted(changes, i);
     if (!gives(wrong, i)) return Match::miss;
-    for (std::size_t k = 0; k < columns_; ++k) {
+    for (const std::size_t k : judgement_.columns) {
       const Real right = judgement_.references[i].expected[k];
       if (!std::isfinite(wrong.answer[k])) return Match::hit;
       if (static_cast<double>(std::abs(wrong.answer[k] - right)) > 2 * tolerance(wrong.answer[k], i, k))
@@ -64,7 +61,7 @@ class Matcher {
  private:
   bool is_right(std::size_t i) const {
     const Reference& r = judgement_.references[i];
-    for (std::size_t k = 0; k < columns_; ++k) {
+    for (const std::size_t k : judgement_.columns) {
       const double error = static_cast<double>(std::abs(answers_.values[i][k] - r.expected[k]));
       if (error > judgement_.precision.tolerance(r, k) + precision_ * r.size[k]) return false;
     }
@@ -72,7 +69,7 @@ class Matcher {
   }
 
   bool gives(const Solution& wrong, std::size_t i) const {
-    for (std::size_t k = 0; k < columns_; ++k) {
+    for (const std::size_t k : judgement_.columns) {
       if (!near(wrong.answer[k], i, k)) return false;
     }
     return true;
@@ -84,6 +81,20 @@ class Matcher {
     return static_cast<double>(std::abs(given - predicted)) <= tolerance(predicted, i, k);
   }
 
+  /// Size of the answers that are one vector or matrix with this one, as far as they were given.
+  double given_size(std::size_t i, std::size_t k) const {
+    const Answer& answer = answers_.values[i];
+    if (judgement_.quantities == Quantities::wrench && k >= 2) return std::hypot(answer[2], answer[3]);
+    const ColumnGroup group = group_of(judgement_.quantities, k);
+    double square = 0;
+    for (const std::size_t n : judgement_.columns) {
+      if (n >= group.begin && n < group.end) square += answer[n] * answer[n];
+    }
+    // Of torques and powers, which are sums of terms that may cancel, it is that of the terms.
+    const double least = judgement_.quantities == Quantities::losses ? judgement_.references[i].size[k] : 0;
+    return std::max(std::sqrt(square), least);
+  }
+
   /// How near an answer must be to a prediction.
   double tolerance(Real predicted, std::size_t i, std::size_t k) const {
     const Reference& reference = judgement_.references[i];
@@ -92,7 +103,7 @@ class Matcher {
     const double rounding = precision.roundoff * reference.sensitivity[k];
     const double relative = reference.size[k] > 0 ? 2 * rounding / reference.size[k] : 0;
     const double value = static_cast<double>(std::abs(predicted));
-    const double vector_size = std::hypot(answers_.values[i][k < 2 ? 0 : 2], answers_.values[i][k < 2 ? 1 : 3]);
+    const double vector_size = given_size(i, k);
     return rounding + (relative + 0x1p10 * precision.roundoff + precision_) * vector_size +
            1.01 * precision.text.relative * value + 1.01 * precision.text.absolute;
   }
@@ -101,7 +112,6 @@ class Matcher {
   const std::vector<State>& states_;
   const Answers& answers_;
   double precision_;
-  std::size_t columns_;
   std::vector<std::size_t> failing_, passing_;
 };
 
@@ -191,14 +201,14 @@ class Search {
 
   /// One of each kind of mistake that gives the same answers to a few states; remembers the others of its kind.
   Set distinct() {
-    std::map<std::vector<std::pair<Real, Real>>, const Mistake*> kinds;
+    std::map<std::vector<Real>, const Mistake*> kinds;
     Set list;
     for (const Mistake* mistake : known_) {
-      std::vector<std::pair<Real, Real>> key;
+      std::vector<Real> key;
       for (const std::size_t i : few_) {
         const Solution s = matcher_.predicted(mistake->changes, i);
         const auto number = [](Real x) { return std::isnan(x) ? Real(-1e300L) : x; };
-        key.emplace_back(number(s.answer[0]), number(s.answer[1]));
+        for (const std::size_t k : matcher_.columns()) key.push_back(number(s.answer[k]));
       }
       const auto [place, is_new] = kinds.try_emplace(std::move(key), mistake);
       if (is_new) list.push_back(mistake);

@@ -24,7 +24,7 @@ json state_json(const Verification& v, std::size_t i) {
   }
   json expected, received, tolerance;
   const auto& names = answer_columns(v.judgement.quantities);
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (const std::size_t k : v.judgement.columns) {
     const std::string name(names[k]);
     expected[name] = static_cast<double>(v.judgement.references[i].expected[k]);
     received[name] = number_or_null(v.answers.values[i][k]);
@@ -91,6 +91,28 @@ json terms_json(const std::vector<Term>& terms) {
   return list;
 }
 
+json columns_json(const std::vector<ColumnResult>& columns) {
+  json list = json::array();
+  for (const ColumnResult& column : columns) {
+    list.push_back({{"column", std::string(column.name)},
+                    {"verdict", std::string(column_verdict_names[static_cast<std::size_t>(column.verdict)])},
+                    {"states", column.states},
+                    {"failing", column.failing},
+                    {"digits", column.states > 0 ? json(column.digits) : json()},
+                    {"factor", column.factor ? number_or_null(*column.factor) : json()},
+                    {"factor_text", column.factor_text},
+                    {"other", column.other.empty() ? json() : json(std::string(column.other))}});
+  }
+  return list;
+}
+
+/// The columns that were judged.
+json judged_json(const Judgement& judgement) {
+  json names = json::array();
+  for (const std::size_t k : judgement.columns) names.push_back(std::string(answer_columns(judgement.quantities)[k]));
+  return names;
+}
+
 /// What the failing states have in common, in words.
 json pattern_json(const Verification& v) {
   json facts = json::array();
@@ -98,6 +120,9 @@ json pattern_json(const Verification& v) {
   if (!v.right_where.empty()) facts.push_back("right where " + words(v.right_where));
   if (!v.wrong_where.empty()) facts.push_back("wrong where " + words(v.wrong_where));
   if (!v.not_a_number_where.empty()) facts.push_back("not a number where " + words(v.not_a_number_where));
+  for (const ColumnResult& column : v.columns) {
+    if (column.verdict != ColumnVerdict::undecided) facts.push_back(std::string(column.name) + ": " + column.words());
+  }
   for (const Term& term : v.terms) {
     if (term.verdict == TermVerdict::undecided) continue;
     facts.push_back(std::string(component_names[static_cast<std::size_t>(term.component)]) + " force, " +
@@ -137,6 +162,8 @@ json json_report(const Verification& v) {
                  {"not_a_number_where", domain_json(v.not_a_number_where)},
                  {"factor_group", nullptr},
                  {"terms", terms_json(v.terms)},
+                 {"judged", judged_json(j)},
+                 {"columns", columns_json(v.columns)},
                  {"suspects", json::array()},
                  {"worst", nullptr},
                  {"mistakes", json::array()},

@@ -19,11 +19,11 @@ std::string joined_names(const std::vector<const Mistake*>& set) {
 std::string compared_numbers(const Verification& v, std::size_t i) {
   std::string text;
   const auto& names = answer_columns(v.judgement.quantities);
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (const std::size_t k : v.judgement.columns) {
     const Reference& reference = v.judgement.references[i];
-    fmt::format_to(std::back_inserter(text), "  {:<12} expected {:<25} received {:<25} tolerance {:.1e}\n", names[k],
-                   static_cast<double>(reference.expected[k]), v.answers.values[i][k],
-                   v.judgement.precision.tolerance(reference, k));
+    fmt::format_to(std::back_inserter(text), "  {:<{}} expected {:<25} received {:<25} tolerance {:.1e}\n", names[k],
+                   is_table(v.judgement.quantities) ? 18 : 12, static_cast<double>(reference.expected[k]),
+                   v.answers.values[i][k], v.judgement.precision.tolerance(reference, k));
   }
   return text;
 }
@@ -78,6 +78,14 @@ std::string terms_text(const Verification& v) {
     fmt::format_to(std::back_inserter(text), "  {:<11} {:<8} {}\n",
                    component_names[static_cast<std::size_t>(term.component)],
                    motion_kind_names[static_cast<std::size_t>(term.states)], term.words());
+  }
+  return text;
+}
+
+std::string columns_text(const Verification& v) {
+  std::string text = "\nColumn by column:\n";
+  for (const ColumnResult& column : v.columns) {
+    fmt::format_to(std::back_inserter(text), "  {:<18} {}\n", column.name, column.words());
   }
   return text;
 }
@@ -177,6 +185,7 @@ std::string text_report(const Verification& v) {
   if (v.verdict == Verdict::disagrees) {
     text += domains_text(v);
     if (!v.terms.empty()) text += terms_text(v);
+    if (!v.columns.empty()) text += columns_text(v);
     text += suspicions_text(v);
   }
   return text + "\nNext: " + next_step(v) + '\n';

@@ -13,16 +13,20 @@ namespace lubjoint::verify {
 namespace {
 
 bool has_answers(Quantities quantities, Law law) {
+  if (is_contact_law(law) || quantities == Quantities::contact) {
+    return is_contact_law(law) && quantities == Quantities::contact;
+  }
+  if (is_of_load(quantities)) return !facts_of(law).squeeze_only;
   return quantities != Quantities::pressure || law != "pinkus_sternlicht"_law;
 }
 
 /// Error over |F| of the worst number; infinite for NaN, none where nothing moves or the precision says nothing.
 std::optional<double> relative_error(const Judgement& judgement, const Answers& answers, std::size_t i) {
   const Reference& r = judgement.references[i];
-  if (judgement.comparisons[i].left_out() || !(r.size[0] > 0)) return {};
+  if (judgement.comparisons[i].left_out() || !(r.size[judgement.first_column()] > 0)) return {};
   if (judgement.comparisons[i].outcome == Outcome::not_a_number) return INFINITY;
   double error = 0;
-  for (std::size_t k = 0; k < answer_columns(judgement.quantities).size(); ++k) {
+  for (const std::size_t k : judgement.columns) {
     if (r.size[k] > 0)
       error = std::max(error, static_cast<double>(std::abs(answers.values[i][k] - r.expected[k])) / r.size[k]);
   }
@@ -70,8 +74,9 @@ void locate(Verification& v) {
     // Where a state's own tolerance is coarse, a wrong answer may be right by chance.
     constexpr double sharp = 1e-7;
     const Reference& reference = v.judgement.references[i];
-    const bool decides = error && v.judgement.precision.tolerance(reference, 0) <=
-                                      std::max(sharp, 1e3 * v.judgement.precision.roundoff) * reference.size[0];
+    const std::size_t first = v.judgement.first_column();
+    const bool decides = error && v.judgement.precision.tolerance(reference, first) <=
+                                      std::max(sharp, 1e3 * v.judgement.precision.roundoff) * reference.size[first];
     const bool matters =
         decides && c.outcome != Outcome::undecided &&
         (right_error == 0 || c.outcome == Outcome::not_a_number || v.judgement.references[i].gap >= 0.1);
@@ -104,7 +109,7 @@ bool errs_like_a_rule(const Judgement& j) {
   std::vector<double> right, wrong;
   for (std::size_t i = 0; i < j.comparisons.size(); ++i) {
     const Comparison& c = j.comparisons[i];
-    if (j.references[i].ratio < 0.05 || !(j.references[i].size[0] > 0)) continue;
+    if (j.references[i].ratio < 0.05 || !(j.references[i].size[j.first_column()] > 0)) continue;
     if (c.right()) right.push_back(j.references[i].gap);
     if (c.fails()) wrong.push_back(j.references[i].gap);
   }
@@ -131,6 +136,7 @@ bool is_numerical(const Verification& v) {
   if (!(v.digits.digits >= 1) || !v.digits.steady || j.not_numbers > 0 || v.group || !v.suspicions.empty())
     return false;
   if (v.settings.tolerance == 0 && !errs_like_a_rule(j)) return false;
+  if (std::ranges::any_of(v.columns, [](const ColumnResult& c) { return c.is_off_as_a_whole(); })) return false;
   return std::ranges::none_of(v.terms, [](const Term& t) { return off_by_a_factor(t) && !may_be_of_a_rule(t); });
 }
 
@@ -169,6 +175,7 @@ void analyse(Verification& v, SearchDepth depth) {
   }
   v.suspicions = suspicions_of(v.judgement, v.states, v.answers, precisions_to_try(v), depth);
   v.terms = terms_of(v.judgement, v.states, v.answers);
+  v.columns = columns_of(v.judgement, v.answers);
   if (v.suspicions.empty()) {
     v.group = factor_group(v.judgement, v.states, v.answers, v.digits.digits);
     if (v.group && !is_meant(*v.group, v.judgement)) v.group.reset();
@@ -188,7 +195,7 @@ double unexplained(const Verification& v) {
   for (std::size_t i = 0; i < v.states.size(); ++i) {
     const Comparison& c = v.judgement.comparisons[i];
     if (c.left_out() || c.outcome == Outcome::not_a_number || c.outcome == Outcome::undecided) continue;
-    if (!(v.judgement.references[i].size[0] > 0)) continue;
+    if (!(v.judgement.references[i].size[v.judgement.first_column()] > 0)) continue;
     ++answered;
     if (c.right()) ++right;
   }
@@ -197,8 +204,9 @@ double unexplained(const Verification& v) {
   if (v.verdict == Verdict::agrees_to_digits) return 0.01 + 0.001 * (17 - v.digits.digits);
   double best = 0;
   for (const Suspicion& s : v.suspicions) {
-    const bool changes_law =
-        std::ranges::any_of(s.mistakes, [](const Mistake* m) { return m->name.starts_with("law_"); });
+    const bool changes_law = std::ranges::any_of(s.mistakes, [](const Mistake* m) {
+      return m->name.starts_with("law_") || m->name.starts_with("contact_law_");
+    });
     if (changes_law) continue;
     // Two mistakes explain less than one that does as much.
     best = std::max(best, s.share - s.contradicted - 0.05 * static_cast<double>(s.mistakes.size()));
@@ -223,6 +231,9 @@ Verification made(Quantities quantities, Law law, const std::vector<State>& stat
   v.states = states;
   v.answers = answers;
   v.judgement = judge(quantities, law, states, answers, settings.tolerance);
+  if (is_of_load(quantities)) {  // where the law puts the journal
+    for (std::size_t i = 0; i < states.size(); ++i) v.states[i].eccentricity_ratio = v.judgement.references[i].ratio;
+  }
   analyse(v, depth);
   return v;
 }
@@ -230,7 +241,7 @@ Verification made(Quantities quantities, Law law, const std::vector<State>& stat
 Verification best_law(Quantities quantities, const std::vector<State>& states, const Answers& answers,
                       const VerifySettings& settings) {
   std::vector<Verification> all;
-  for (std::size_t i = 0; i < law_count; ++i) {
+  for (std::size_t i = 0; i < every_law_count; ++i) {
     if (has_answers(quantities, Law{i})) {
       all.push_back(made(quantities, Law{i}, states, answers, settings, SearchDepth::single));
     }
@@ -284,6 +295,16 @@ Verification verify_answers(Quantities quantities, const std::string& law, std::
   if (law == "auto") return best_law(quantities, states, answers, settings);
   const Law named = law_of(law);
   if (!has_answers(quantities, named)) {
+    if (is_contact_law(named) || quantities == Quantities::contact) {
+      throw std::invalid_argument("law " + law + " and --quantities " + std::string(name_of(quantities)) +
+                                  " do not go together; allowed with contact are auto, lankarani_nikravesh, "
+                                  "hunt_crossley, flores, gonthier, and these with contact alone");
+    }
+    if (is_of_load(quantities)) {
+      throw std::invalid_argument("a journal in a film of the squeeze alone, such as " + law +
+                                  ", carries no load at rest: --quantities " + std::string(name_of(quantities)) +
+                                  " allows every other law");
+    }
     throw std::invalid_argument("law " + law + " is not the integral of any pressure field: --quantities " +
                                 std::string(name_of(quantities)) + " allows every other law");
   }
@@ -331,6 +352,9 @@ std::string next_step(const Verification& v) {
   }
   if (!v.not_a_number_where.empty())
     return "Where the answer is not a number: where " + words(v.not_a_number_where) + ".";
+  for (const ColumnResult& column : v.columns) {
+    if (column.is_off_as_a_whole()) return fmt::format("The column {}: it is {}.", column.name, column.words());
+  }
   for (const Term& term : v.terms) {
     if (off_by_a_factor(term)) {
       return fmt::format("The {} force in {} states: it is {}.",

@@ -7,6 +7,7 @@
 
 #include "oracle/verify/diagnosis.hpp"
 #include "oracle/verify/states/digits.hpp"
+#include "oracle/verify/terms/columns.hpp"
 #include "oracle/verify/terms/terms.hpp"
 
 namespace lubjoint::verify {
@@ -32,8 +33,9 @@ struct Verification {
   VerifySettings settings;
   Verdict verdict = Verdict::undecided;
   DigitProfile digits;
-  std::optional<FactorGroup> group;  ///< off by one factor, where a mistake is not recognised
-  std::vector<Term> terms;           ///< where the answers are not simply right
+  std::optional<FactorGroup> group;   ///< off by one factor, where a mistake is not recognised
+  std::vector<Term> terms;            ///< where the answers are not simply right
+  std::vector<ColumnResult> columns;  ///< of a table, where the answers are not simply right
   std::vector<Suspicion> suspicions;
   Domain right_where, wrong_where, not_a_number_where;
   bool law_was_found = false;    ///< by --law auto

@@ -94,6 +94,47 @@ int main(void) {
   if (lubjoint_film_coefficients("short_half", &bearing, 1, all(&half), all(&zero), &rest) != EDOM) return 43;
   if (!strstr(lubjoint_message(), "row 0") || !strstr(lubjoint_message(), "spin 0")) return 44;
 
+  /* the place of rest is the one whose load it is; a velocity gives back its force */
+  double place[2];
+  const lubjoint_out to_ratio = {&place[0], 8}, to_attitude = {&place[1], 8};
+  if (lubjoint_film_coefficients("short_half", &bearing, 1, all(&half), all(&spin), &rest)) return 45;
+  if (lubjoint_film_equilibrium("short_half", &bearing, 1, all(&number[0]), all(&spin), to_ratio, to_attitude)) return 46;
+  if (fabs(place[0] - 0.5) > 1e-14 || fabs(place[1] - number[1]) > 1e-14) return 47;
+  if (lubjoint_film_equilibrium("short_half", &bearing, 1, all(&minus), all(&spin), to_ratio, to_attitude) != EDOM) {
+    return 48;
+  }
+  if (!strstr(lubjoint_message(), "load of -1 N")) return 49;
+  if (lubjoint_film_equilibrium("squeeze_short", &bearing, 1, all(&one), all(&spin), to_ratio, to_attitude) != EINVAL) {
+    return 50;
+  }
+  const double pull = -40;
+  double velocity[4];
+  int status[1];
+  lubjoint_mobility moving = {{&velocity[0], 8}, {&velocity[1], 8}, {NULL, 0}, {NULL, 0}, status};
+  if (lubjoint_film_mobility("short_dynamic", &bearing, 1, all(&half), all(&zero), all(&pull), all(&zero), &moving)) {
+    return 51;
+  }
+  if (status[0] != LUBJOINT_MOBILITY_FOUND) return 52;
+  const double slip = -2 * velocity[1];
+  if (lubjoint_polar_force("short_dynamic", &bearing, 1, all(&half), all(&slip), all(&velocity[0]), to_radial,
+                           to_tangential)) {
+    return 53;
+  }
+  if (fabs(radial[0] - pull) > 1e-13 * fabs(pull) || fabs(tangential[0]) > 1e-13 * fabs(pull)) return 54;
+  moving.other_ux = (lubjoint_out){&velocity[2], 8};
+  if (lubjoint_film_mobility("short_half", &bearing, 1, all(&half), all(&zero), all(&pull), all(&zero), &moving) !=
+      EINVAL) {
+    return 55;
+  }
+  moving.other_uy = (lubjoint_out){&velocity[3], 8};
+  const double push = 40; /* the film opens: a of either sign */
+  if (lubjoint_film_mobility("short_half", &bearing, 1, all(&half), all(&zero), all(&push), all(&zero), &moving)) return 56;
+  if (status[0] != LUBJOINT_MOBILITY_TWO || velocity[0] != velocity[2] || velocity[1] != -velocity[3]) return 57;
+  if (lubjoint_film_mobility("butenschoen", &bearing, 1, all(&half), all(&zero), all(&push), all(&zero), &moving) !=
+      EINVAL) {
+    return 58;
+  }
+
   /* many rows: columns of a table, answered in its own columns, have the bits of arrays without gaps */
   enum { rows = 1500 };
   static double table[rows][3], column[3][rows], answer[2][rows];

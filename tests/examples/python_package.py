@@ -1,6 +1,8 @@
 """The Python package, used as a user would; run by tests/python_package.sh in a fresh environment."""
 
+import doctest
 import importlib.metadata
+import os
 import statistics
 import sys
 import time
@@ -8,7 +10,7 @@ import time
 import numpy
 
 import lubjoint
-from lubjoint import _film
+from lubjoint import _film, _verify
 
 sys.path.insert(0, sys.argv[1])
 import pinkus_sternlicht  # noqa: E402  the example beside this file
@@ -67,7 +69,15 @@ lubjoint.polar_force("short_half", bearing, *written, out=(written[2], written[0
 assert (written[2] == radial).all() and (written[0] == tangential).all()
 alone = lubjoint.polar_force("short_half", bearing, [0.5], table[1], [[2.0]][0])  # arrays of one number go with all rows
 assert (alone[0] == fixed[0]).all() and lubjoint.polar_force("short_half", bearing, [], 1, 1)[0].shape == (0,)
-for wrong in ({"law": "short"}, {"eccentricity_ratio": 1.5}, {"eccentricity_ratio": numpy.zeros((2, 2))}):
+# Arrays of any shape broadcast; each number is that of a call with numbers alone.
+grid = lubjoint.polar_force("short_half", bearing, numpy.array([[0.1], [0.5]]), 2.0, numpy.array([-1.0, 0.0, 1.0]))
+assert grid[0].shape == (2, 3)
+assert grid[1][1, 2] == lubjoint.polar_force("short_half", bearing, 0.5, 2.0, 1.0)[1]
+plane = (numpy.empty((2, 3)), numpy.empty((2, 3)))
+assert (lubjoint.polar_force("short_half", bearing, [[0.1], [0.5]], 2.0, [-1, 0, 1], out=plane)[0] == grid[0]).all()
+assert (plane[1] == grid[1]).all()
+for wrong in ({"law": "short"}, {"eccentricity_ratio": 1.5}, {"slip_rate": [1, 2], "squeeze_rate": [1, 2, 3]},
+              {"eccentricity_ratio": numpy.zeros((2, 2)), "out": (numpy.empty(4), numpy.empty(4))}):
     arguments = {"law": "short_half", "bearing": bearing, "eccentricity_ratio": 0.5, "slip_rate": 1, "squeeze_rate": 1}
     try:
         lubjoint.polar_force(**{**arguments, **wrong})
@@ -98,7 +108,34 @@ assert rest.stiffness.shape == (2, 2, 2) and numpy.isinf(rest.critical_mass[1])
 assert abs(bearing.clearance * rest.stiffness[0, 0, 1] / rest.load[0] - 3.9766424213158496574) < 1e-14
 backward = lubjoint.film_coefficients("short_half", bearing, 0.5, -50)
 assert backward.damping[0, 1] == -rest.damping[0, 0, 1] and backward.critical_mass == rest.critical_mass[0]
-for bad in ((lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
+# A load and the place that carries it; in inertial axes as verify asks for it; a velocity and the force that it answers.
+place = lubjoint.equilibrium("short_half", bearing, rest.load, 50)
+assert numpy.allclose(place.eccentricity_ratio, [0.5, 0.8], rtol=1e-14)  # a root of few roundings
+assert numpy.allclose(place.attitude, rest.attitude, rtol=1e-14)
+table = lubjoint.coefficients("short_half", bearing, [[50.0], [-50.0]], load=rest.load)
+assert table.stiffness.shape == (2, 2, 2, 2) and table.load.shape == (2, 2)
+assert numpy.allclose(table.stiffness[0], rest.stiffness, rtol=1e-13)
+for law in ("short_dynamic", "long_full", "pinkus_sternlicht", "moes_impedance"):
+    u = lubjoint.mobility(law, squat, 0.3, [0.1, -0.1], -30.0, 12.0)
+    back = lubjoint.journal_force(law, squat, 0.3 * squat.clearance, numpy.array([0.1, -0.1]) * squat.clearance,
+                                  u.ux * squat.clearance, u.uy * squat.clearance, 0, 0)
+    assert list(u.status) == ["found", "found"], (law, u)
+    assert numpy.allclose(back, [[-30.0, -30.0], [12.0, 12.0]], rtol=1e-12), (law, back)
+two = lubjoint.mobility("short_half", bearing, 0.5, 0, 40, 0)
+assert two.status == "two" and two.uy == -two.other_uy != 0
+assert lubjoint.losses("long_half", bearing, numpy.zeros((2, 2)), 0, 0, 0, 0, 50).power.shape == (2, 2)
+
+for bad in ((lambda: lubjoint.equilibrium("short_half", bearing, -1, 50)),
+            (lambda: lubjoint.equilibrium("short_half", bearing, 1, 0)),
+            (lambda: lubjoint.coefficients("short_half", bearing, 50)),
+            (lambda: lubjoint.coefficients("short_half", bearing, 50, load=1, axes="mine")),
+            (lambda: lubjoint.mobility("butenschoen", squat, 0.5, 0, 1, 0)),
+            (lambda: lubjoint.mobility("short_full", bearing, 1.5, 0, 1, 0)),
+            (lambda: lubjoint.verify(short_full, "short_full", "polar", domain="omega_sum > 0")),
+            (lambda: lubjoint.verify(short_full, "short_full", "polar", tolerance=0.5)),
+            (lambda: lubjoint.verify(short_full, "short_full", "polar", unit=0.25)),
+            (lambda: lubjoint.verify(short_full, "short_full", "polar", shear="flooded")),
+            (lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
             (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1)),
             (lambda: lubjoint.film_coefficients("squeeze_long", bearing, 0.5, 1)),
             (lambda: lubjoint.journal_force("butenschoen", lubjoint.Bearing(0.4, 0.04, 0.0098, 2e-4), 0, 0, 1, 0, 0, 0))):
@@ -108,6 +145,39 @@ for bad in ((lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1
     except ValueError:
         pass
 
+
+# Tables through the package: the library itself, in verify's axes; an exchange; a domain; a numerical function.
+def stiffness_and_damping(viscosity, length, radius, clearance, omega, load):
+    oil = lubjoint.Bearing(viscosity, length, radius, clearance)
+    found = lubjoint.coefficients("long_dynamic", oil, omega, load=load, axes="inertial")
+    names = [m + i + j for m in "kc" for i in "xy" for j in "xy"]
+    return dict(zip(names, [*found.stiffness.ravel(), *found.damping.ravel()]))
+
+
+def exchanged(**state):
+    given = stiffness_and_damping(**state)
+    given["kxy"], given["kyx"], given["cxy"], given["cyx"] = (given[n] for n in ("kyx", "kxy", "cyx", "cxy"))
+    return given
+
+
+assert lubjoint.verify(stiffness_and_damping, "long_dynamic", "coefficients", random=50, vectorized=False)
+report = lubjoint.verify(exchanged, "long_dynamic", "coefficients", random=50, vectorized=False)
+assert not report and report.suspects[0]["mistakes"] == ["coefficients_transposed"], report
+assert [c["column"] for c in report.columns if c["verdict"] == "other"] == ["kxy", "kyx", "cxy", "cyx"], report.columns
+report = lubjoint.verify(lambda **s: short_full(**{**s, "omega": abs(s["omega"])}), "short_full", "polar")
+assert report.verdict == "disagrees" and report.terms
+assert lubjoint.verify(lambda **s: short_full(**{**s, "omega": abs(s["omega"])}), "short_full", "polar",
+                       domain=["omega >= 0"])
+nearly = lubjoint.verify(lambda **s: [x * (1 + 1e-7) for x in short_full(**s)], "short_full", "polar", tolerance=1e-6)
+assert nearly and nearly["accepted"], nearly
+assert len(lubjoint.states("cartesian", at_most=12)["ex"]) == 12
+
+# The examples in the documentation, and that every public name has one sentence at least.
+for module in (_film, _verify):
+    outcome = doctest.testmod(module)
+    assert outcome.attempted >= 2 and outcome.failed == 0, (module, outcome)
+assert all(getattr(lubjoint, name).__doc__ for name in lubjoint.__all__)
+assert os.path.exists(os.path.join(os.path.dirname(lubjoint.__file__), "py.typed"))
 
 
 def medians(calls, repeats=31):
@@ -128,9 +198,10 @@ if "--cost" in sys.argv:  # NumPy against the batch function alone, its argument
             many = numpy.random.default_rng(1).uniform(0, 0.9, (3, rows))
             out = tuple(numpy.empty((2, rows)))
             made = _film._Batch(many, out)
-            given = (law.encode(), bearing._struct(), rows, *made.inputs, *made.outputs)
+            oil = squat if law == "butenschoen" else bearing  # whose fit ends at L/D = 1
+            given = (law.encode(), oil._struct(), rows, *made.inputs, *made.outputs)
             times = medians((lambda: _film._library.lubjoint_polar_force(*given),
-                             lambda: lubjoint.polar_force(law, bearing, *many),
-                             lambda: lubjoint.polar_force(law, bearing, *many, out=out)))
+                             lambda: lubjoint.polar_force(law, oil, *many),
+                             lambda: lubjoint.polar_force(law, oil, *many, out=out)))
             print(f"{law:18} {rows:10}" + "".join(f"{t / rows * 1e9:9.2f}" for t in times) +
                   f"   {times[1] / times[0]:.2f} {times[2] / times[0]:.2f}")

@@ -61,7 +61,7 @@ verify::Answers answers_of(verify::Quantities quantities, const std::vector<veri
     }
     values.push_back(answer);
   }
-  return verify::answers_from_numbers(std::move(values), verify::answer_columns(quantities).size());
+  return verify::answers_from_numbers(quantities, std::move(values));
 }
 
 /// Answers of a program that is right but for these mistakes.

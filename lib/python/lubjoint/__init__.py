@@ -5,11 +5,13 @@
     radial, tangential = lubjoint.polar_force("short_half", bearing, eccentricity_ratio, slip_rate, squeeze_rate)
     print(lubjoint.verify(my_function, law="pinkus_sternlicht"))
 
-Units are SI. Arrays are read and written where they are, with their strides; nothing is copied that is of type float64.
+Units are SI. Arguments broadcast against each other. Numbers and one-dimensional arrays of type float64 are read and
+written where they are, with their strides; of arrays with more dimensions, those with gaps are copied.
 """
 
-from ._film import (Bearing, Coefficients, Contact, Losses, film_coefficients, film_losses, joint_moments, journal_force,
-                    laws, polar_force, transition_force, version)
+from ._film import (Bearing, Coefficients, Contact, Equilibrium, Losses, Mobility, coefficients, equilibrium,
+                    film_coefficients, film_losses, joint_moments, journal_force, laws, losses, mobility, polar_force,
+                    transition_force, version)
 from ._verify import Report, states, verify
 
 __version__ = version()
@@ -18,13 +20,19 @@ __all__ = [
     "Bearing",
     "Coefficients",
     "Contact",
+    "Equilibrium",
     "Losses",
+    "Mobility",
     "Report",
+    "coefficients",
+    "equilibrium",
     "film_coefficients",
     "film_losses",
     "joint_moments",
     "journal_force",
     "laws",
+    "losses",
+    "mobility",
     "polar_force",
     "states",
     "transition_force",

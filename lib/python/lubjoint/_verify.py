@@ -1,10 +1,14 @@
-"""Is a Python function of a film force right, and if not, what is its mistake?"""
+"""Is a Python function of a film right, and if not, what is its mistake?"""
+
+from __future__ import annotations
 
 import ctypes
 import json
 import os
+from typing import Any, Callable, Iterable, Mapping, Optional, Union
 
 import numpy
+from numpy.typing import NDArray
 
 _library = ctypes.CDLL(os.path.join(os.path.dirname(__file__), "liblubjoint_verify_c.so"))
 _name = ctypes.c_char_p
@@ -12,7 +16,8 @@ _size = ctypes.c_size_t
 
 
 class _Request(ctypes.Structure):
-    _fields_ = [("quantities", _name), ("golden", _name), ("random", _size), ("seed", ctypes.c_uint64)]
+    _fields_ = [("quantities", _name), ("golden", _name), ("random", _size), ("seed", ctypes.c_uint64),
+                ("only", _name), ("steady", ctypes.c_int), ("shear", _name), ("at_most", _size)]
 
 
 _request = ctypes.POINTER(_Request)
@@ -23,7 +28,8 @@ _library.lubjoint_verify_answer_columns.restype = _name
 _library.lubjoint_verify_answer_columns.argtypes = [_name]
 _library.lubjoint_verify_count.argtypes = [_request, ctypes.POINTER(_size)]
 _library.lubjoint_verify_states.argtypes = [_request, ctypes.c_void_p]
-_library.lubjoint_verify_judge.argtypes = [_name, _request, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int),
+_library.lubjoint_verify_judge.argtypes = [_name, _request, ctypes.c_void_p, ctypes.c_double, ctypes.c_double,
+                                           ctypes.POINTER(ctypes.c_int),
                                            ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p)]
 _library.lubjoint_verify_free.argtypes = [ctypes.c_void_p]
 
@@ -33,9 +39,17 @@ def _check(status):
         raise ValueError(_library.lubjoint_verify_message().decode())
 
 
-def _asked(quantities, random, seed):
+Domain = Union[str, Iterable[str], None]
+
+
+def _asked(quantities, random, seed, domain=None, steady=False, shear=None, at_most=None):
     golden = os.path.join(os.path.dirname(__file__), "golden")
-    return _Request(quantities.encode(), os.fsencode(golden), random, seed)
+    if domain is not None and not isinstance(domain, str):
+        domain = ", ".join(domain)
+    if at_most is not None and at_most < 1:
+        raise ValueError(f"at_most is {at_most}; allowed is a number from 1 on")
+    return _Request(quantities.encode(), os.fsencode(golden), random, seed, domain.encode() if domain else None,
+                    bool(steady), shear.encode() if shear else None, at_most or 0)
 
 
 def _columns(function, quantities):
@@ -46,26 +60,63 @@ def _columns(function, quantities):
 
 
 class Report(dict):
-    """The report as a dictionary (keys as in `lubjoint verify --json`); true if the function agrees; prints as text."""
+    """The report as a dictionary (keys as in `lubjoint verify --json`); true if the function is right, to the tolerance
+    that was given; prints as text. What is asked for most is there by name, too."""
 
     def __init__(self, content, text):
         super().__init__(content)
         self.text = text
 
-    def __bool__(self):
-        return self["verdict"] == "agrees"
+    def __bool__(self) -> bool:
+        return self["accepted"]
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self.text
+
+    @property
+    def verdict(self) -> str:
+        """ "agrees", "agrees_to_digits", "disagrees" or "undecided"."""
+        return self["verdict"]
+
+    @property
+    def digits(self) -> Optional[float]:
+        """Digits that 99 % of the decided states have, films thinner than a tenth of the clearance aside."""
+        return self["digits"]
+
+    @property
+    def terms(self) -> list[dict[str, Any]]:
+        """Of a force: its components, each in one kind of motion, with verdict, factor and exponents."""
+        return self["terms"]
+
+    @property
+    def columns(self) -> list[dict[str, Any]]:
+        """Of coefficients, equilibrium and losses: each column with verdict, factor, or the column that it is."""
+        return self["columns"]
+
+    @property
+    def suspects(self) -> list[dict[str, Any]]:
+        """Sets of known mistakes, the first being the one to look at."""
+        return self["suspects"]
+
+    @property
+    def right_where(self) -> list[list[str]]:
+        """Where the function is right: any of several lists of conditions; empty if nowhere or everywhere."""
+        return self["right_where"]
 
     def _repr_pretty_(self, printer, cycle):  # notebooks
         printer.text(self.text)
 
 
-def states(quantities="cartesian", random=1000, seed=1):
-    """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones."""
+def states(quantities: str = "cartesian", random: int = 1000, seed: int = 1, domain: Domain = None, steady: bool = False,
+           shear: Optional[str] = None, at_most: Optional[int] = None) -> dict[str, NDArray[numpy.float64]]:
+    """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones.
+    Arguments as of verify().
+
+    >>> list(states("coefficients", random=0))
+    ['viscosity', 'length', 'radius', 'clearance', 'omega', 'load']
+    """
     names = _columns(_library.lubjoint_verify_state_columns, quantities)
-    asked = _asked(quantities, random, seed)
+    asked = _asked(quantities, random, seed, domain, steady, shear, at_most)
     count = _size()
     _check(_library.lubjoint_verify_count(asked, count))
     table = numpy.empty((len(names), count.value))
@@ -73,15 +124,27 @@ def states(quantities="cartesian", random=1000, seed=1):
     return dict(zip(names, table))
 
 
+def _named(answers, names):
+    """A dictionary of some columns as all of them; those that are not given are NaN."""
+    unknown = [name for name in answers if name not in names]
+    if unknown or not answers:
+        raise ValueError(f"the function gave the columns {list(answers)}; allowed are any of {', '.join(names)}")
+    return [answers.get(name, numpy.nan) for name in names]
+
+
 def _answers(function, given, names, vectorized):
     count = len(next(iter(given.values())))
 
+    def listed(answers):
+        return _named(answers, names) if isinstance(answers, Mapping) else answers
+
     def row_by_row():
-        return zip(*(function(**{name: float(column[i]) for name, column in given.items()}) for i in range(count)))
+        rows = (function(**{name: float(column[i]) for name, column in given.items()}) for i in range(count))
+        return zip(*(listed(row) for row in rows))
 
     if vectorized:
         try:
-            answers = function(**given)
+            answers = listed(function(**given))
         except (TypeError, ValueError):  # what math.sqrt, float() and `if` make of an array
             answers = list(row_by_row())  # where that fails, too, both errors are shown
     else:
@@ -95,22 +158,46 @@ def _answers(function, given, names, vectorized):
     return numpy.array([numpy.broadcast_to(column, count) for column in columns], dtype=numpy.float64)
 
 
-def verify(function, law="auto", quantities="cartesian", random=1000, seed=1, vectorized=True):
+def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "cartesian", random: int = 1000,
+           seed: int = 1, vectorized: bool = True, domain: Domain = None, steady: bool = False, tolerance: float = 0.0,
+           unit: float = 1.0, shear: Optional[str] = None, at_most: Optional[int] = None) -> Report:
     """Compares a function with a film law, and names its likely mistake if it disagrees.
 
     function   called with keyword arguments named as the states' columns (see states()), one array each; gives the
-               columns of the answer, e.g. (fx, fy): the force on the journal. One that fails with arrays, as math.sqrt
-               does, is called with the numbers of one state at a time, which takes longer; vectorized=False does so
-               from the start
+               columns of the answer, e.g. (fx, fy): the force on the journal; for coefficients, equilibrium and losses
+               also a dictionary of any of them. One that fails with arrays, as math.sqrt does, is called with the
+               numbers of one state at a time, which takes longer; vectorized=False does so from the start
     law        a name of laws(), or "auto": find out which
+    quantities "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless", "coefficients",
+               "equilibrium" or "losses"
+    domain     what the function is meant for: "omega_sum > 0, eccentricity_ratio > 0" or a list of such conditions
+    steady     steady rotation in a bearing at rest alone
+    tolerance  error over the answer's size that is right for a numerical function; 0: that of rounding
+    unit       of forces without dimensions, over S omega; Capone's is 0.25
+    shear      of losses: the part of the gap that shears
+    at_most    states in all, chosen to cover the regimes, for a slow function
+
+    ValueError for an unknown law or quantities, an argument without effect, or answers of another shape. What a verdict
+    rests on: oracle/verify/README.md.
+
+    >>> import lubjoint
+    >>> def place(viscosity, length, radius, clearance, omega, load):
+    ...     bearing = lubjoint.Bearing(viscosity, length, 2 * radius, clearance)  # the diameter
+    ...     rest = lubjoint.equilibrium("long_full", bearing, load, omega)
+    ...     return {"eccentricity_ratio": rest.eccentricity_ratio}
+    >>> report = verify(place, "long_full", "equilibrium", random=20, vectorized=False)
+    >>> bool(report), report.suspects[0]["mistakes"], [c["verdict"] for c in report.columns]
+    (False, ['diameter_for_radius'], ['wrong'])
     """
     names = _columns(_library.lubjoint_verify_answer_columns, quantities)
-    answers = _answers(function, states(quantities, random, seed), names, vectorized)
+    given = states(quantities, random, seed, domain, steady, shear, at_most)
+    answers = _answers(function, given, names, vectorized)
     verdict = ctypes.c_int()
     text = ctypes.c_void_p()
     content = ctypes.c_void_p()
-    _check(_library.lubjoint_verify_judge(law.encode(), _asked(quantities, random, seed), answers.ctypes.data, verdict,
-                                          text, content))
+    asked = _asked(quantities, random, seed, domain, steady, shear, at_most)
+    _check(_library.lubjoint_verify_judge(law.encode(), asked, answers.ctypes.data, tolerance, unit, verdict, text,
+                                          content))
     try:
         return Report(json.loads(ctypes.string_at(content)), ctypes.string_at(text).decode())
     finally:

@@ -1,6 +1,7 @@
 #include "oracle/verify/c/lubjoint_verify.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -39,10 +40,32 @@ Quantities named(const char* quantities) {
   return quantities_of(quantities);
 }
 
+/// The domain that is declared.
+Conjunction declared(const lubjoint_verify_request* request) {
+  const Quantities kind = named(request->quantities);
+  Conjunction domain;
+  if (request->only != nullptr) domain = read_conditions(kind, request->only);
+  if (request->steady == 0) return domain;
+  for (const Condition& condition : steady_conditions(kind)) domain.push_back(condition);
+  return domain;
+}
+
 std::vector<State> asked(const lubjoint_verify_request* request) {
   if (request == nullptr) throw std::invalid_argument("request is a null pointer");
   if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
-  return states_to_verify(named(request->quantities), request->golden, request->random, request->seed);
+  const Quantities kind = named(request->quantities);
+  std::vector<State> states =
+      states_to_verify(kind, request->golden, request->random, request->seed, declared(request));
+  const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
+  if (request->shear != nullptr && kind != Quantities::losses) {
+    throw std::invalid_argument("shear does nothing with the quantities " + std::string(name_of(kind)) +
+                                "; allowed is it with losses");
+  }
+  for (State& state : states) {
+    state.shear = shear;
+    if (shear != lubjoint::ShearExtent::film) state.golden.reset();  // certified are the films' own losses
+  }
+  return request->at_most > 0 ? covering_states(kind, std::move(states), request->at_most) : states;
 }
 
 template <class Names>
@@ -101,21 +124,31 @@ int lubjoint_verify_states(const lubjoint_verify_request* request, double* out) 
   });
 }
 
-int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request, const double* answers, int* verdict,
-                          char** text, char** json) {
+int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request, const double* answers,
+                          double tolerance, double unit, int* verdict, char** text, char** json) {
   return guarded([&] {
     if (law == nullptr) throw std::invalid_argument("law is a null pointer");
     if (answers == nullptr) throw std::invalid_argument("answers is a null pointer");
     if (verdict == nullptr) throw std::invalid_argument("verdict is a null pointer");
+    if (!(tolerance >= 0 && tolerance <= 0.1)) {
+      throw std::invalid_argument("tolerance is " + std::to_string(tolerance) + "; allowed is a number from 0 to 0.1");
+    }
     std::vector<State> states = asked(request);
     const Quantities kind = named(request->quantities);
+    if (!(unit > 0) || !std::isfinite(unit) || (unit != 1 && kind != Quantities::dimensionless)) {
+      throw std::invalid_argument(
+          "unit is " + std::to_string(unit) +
+          "; allowed is a number above 0, other than 1 with the quantities dimensionless alone");
+    }
     const std::size_t columns = answer_columns(kind).size();
     std::vector<Answer> values(states.size(), Answer{});
     for (std::size_t k = 0; k < columns; ++k) {
       for (Answer& value : values) value[k] = *answers++;
     }
+    Answers given = answers_from_numbers(kind, std::move(values));
+    scale(given, unit);
     const Verification result =
-        verify_answers(kind, law, std::move(states), answers_from_numbers(std::move(values), columns));
+        verify_answers(kind, law, std::move(states), std::move(given), {tolerance, words(declared(request))});
     const std::string words = text ? text_report(result) : std::string();
     const std::string object = json ? json_report(result).dump() : std::string();
     *verdict = result.accepted() ? 0 : result.verdict == Verdict::undecided ? 2 : 1;

@@ -24,6 +24,10 @@ typedef struct {
   const char* golden; /* folder of the golden data */
   size_t random;
   uint64_t seed;
+  const char* only;  /* domain, "omega_sum > 0, eccentricity_ratio > 0"; null: everywhere */
+  int steady;        /* other than 0: steady rotation in a bearing at rest alone */
+  const char* shear; /* of losses: "film", "flooded", "striated"; null: "film" */
+  size_t at_most;    /* states in all, chosen to cover the regimes; 0: all of them */
 } lubjoint_verify_request;
 
 /* Number of states. */
@@ -32,11 +36,14 @@ LUBJOINT_VERIFY_API int lubjoint_verify_count(const lubjoint_verify_request* req
 /* The states, column after column: out has room for count times the number of columns. */
 LUBJOINT_VERIFY_API int lubjoint_verify_states(const lubjoint_verify_request* request, double* out);
 
-/* Judges answers, given column after column. law: a name, or "auto".
+/* Judges answers, given column after column. law: a name, or "auto". tolerance: error over the answer's size that is
+ * right for a numerical program, 0 for that of rounding. unit: of forces without dimensions, over S omega; otherwise 1.
+ * A table's column (coefficients, equilibrium, losses) of which no number is finite counts as not given.
  * verdict: 0 agrees, 1 disagrees, 2 could not be judged. text and json: reports, to be given back to
  * lubjoint_verify_free; either may be null. */
 LUBJOINT_VERIFY_API int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request,
-                                              const double* answers, int* verdict, char** text, char** json);
+                                              const double* answers, double tolerance, double unit, int* verdict,
+                                              char** text, char** json);
 LUBJOINT_VERIFY_API void lubjoint_verify_free(char* report);
 
 #ifdef __cplusplus

@@ -15,8 +15,8 @@ namespace lubjoint::verify {
 const std::vector<Mistake>& gallery() {
   static const std::vector<Mistake> all = [] {
     std::vector<Mistake> list;
-    for (auto* topic :
-         {motion_mistakes, unit_and_geometry_mistakes, film_mistakes, assembly_mistakes, contact_mistakes}) {
+    for (auto* topic : {motion_mistakes, unit_and_geometry_mistakes, film_mistakes, assembly_mistakes, contact_mistakes,
+                        rest_mistakes, loss_mistakes}) {
       for (Mistake& mistake : topic()) list.push_back(std::move(mistake));
     }
     return list;
@@ -39,14 +39,40 @@ bool shows(Quantities quantities, Law law, const std::vector<State>& states, con
   return changes;
 }
 
-/// Without dimensions many mistakes leave every answer as it is, and others are the same one: the first of those
-/// stands.
+bool is_about_inputs(const Mistake& mistake) {
+  return std::ranges::all_of(
+      mistake.changes, [](const Change& change) { return change.step == Step::inputs || change.step == Step::scale; });
+}
+
+/// A table has mistakes of its own, and units and lengths are mistaken in it, too; what goes wrong inside a force is
+/// verified by the force.
+bool concerns_table(Law law, const Mistake& mistake) {
+  return !mistake.applies(Quantities::cartesian, law) || is_about_inputs(mistake);
+}
+
+/// What a difference in a column of a table is small against.
+Real size_of_column(const Solution& s, std::size_t k) {
+  if (s.quantities == Quantities::losses) return size_of_costs(s)[k];
+  const ColumnGroup group = group_of(s.quantities, k);
+  Real square = 0;
+  for (std::size_t i = group.begin; i < group.end; ++i) square += s.answer[i] * s.answer[i];
+  return std::sqrt(square);
+}
+
+/// Without dimensions, and in tables, many mistakes leave every answer as it is. Without dimensions others are the same
+/// one: the first of those stands.
 bool differs(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake,
              const std::vector<const Mistake*>& others) {
   const auto same = [&](std::span<const Change> changes) {
     return std::ranges::all_of(states, [&](const State& state) {
       const Solution a = solve(quantities, law, state, mistake.changes);
       const Solution b = solve(quantities, law, state, changes);
+      if (is_table(quantities)) {
+        for (std::size_t k = 0; k < answer_columns(quantities).size(); ++k) {
+          if (std::abs(a.answer[k] - b.answer[k]) > 1e-6L * size_of_column(b, k)) return false;
+        }
+        return true;
+      }
       const Real size = 1e-6L * (std::abs(a.answer[0]) + std::abs(a.answer[1]) + size_of_terms(b));
       return std::abs(a.answer[0] - b.answer[0]) <= size && std::abs(a.answer[1] - b.answer[1]) <= size;
     });
@@ -54,7 +80,8 @@ bool differs(Quantities quantities, Law law, const std::vector<State>& states, c
   // Neither oil nor bearing nor spin is an input.
   const bool about_inputs = std::ranges::any_of(
       mistake.changes, [](const Change& change) { return change.step == Step::inputs || change.step == Step::scale; });
-  if (about_inputs) return false;
+  if (about_inputs && quantities == Quantities::dimensionless) return false;
+  if (quantities != Quantities::dimensionless) return !same({});  // what can't be told apart is said together
   return !same({}) && std::ranges::none_of(others, [&](const Mistake* other) { return same(other->changes); });
 }
 
@@ -63,15 +90,29 @@ bool differs(Quantities quantities, Law law, const std::vector<State>& states, c
 std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
-  const bool of_few_numbers = quantities == Quantities::dimensionless;
-  const bool may_be_blind = of_film_only || facts_of(law).squeeze_only;  // a law without a wedge hides mistakes in it
-  const std::vector<State> states = may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
+  const bool of_few_numbers =
+      quantities == Quantities::dimensionless || is_table(quantities) || quantities == Quantities::contact;
+  const bool may_be_blind = of_film_only || (facts_of(law).squeeze_only &&
+                                             !is_table(quantities));  // a law without a wedge hides mistakes in it
+  std::vector<State> states = may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
+  if (quantities == Quantities::losses) {  // some show only where more than the film is asked for
+    const std::size_t asked_of_film = states.size();
+    for (std::size_t i = 0; i < asked_of_film; ++i) {
+      states.push_back(states[i]);
+      states.back().shear = ShearExtent::flooded;
+    }
+  }
   for (const Mistake& mistake : gallery()) {
     if (!mistake.applies(quantities, law)) continue;
+    if (is_table(quantities) && !concerns_table(law, mistake)) continue;
     if (may_be_blind && !shows(quantities, law, states, mistake)) continue;
     if (of_few_numbers && !differs(quantities, law, states, mistake, list)) continue;
     list.push_back(&mistake);
   }
+  // Of mistakes that do the same, the table's own is named first.
+  if (is_table(quantities))
+    std::ranges::stable_partition(
+        list, [&](const Mistake* m) { return !is_about_inputs(*m) || !m->applies(Quantities::cartesian, law); });
   return list;
 }
 

@@ -48,5 +48,7 @@ std::vector<Mistake> unit_and_geometry_mistakes();
 std::vector<Mistake> film_mistakes();
 std::vector<Mistake> assembly_mistakes();
 std::vector<Mistake> contact_mistakes();
+std::vector<Mistake> rest_mistakes();
+std::vector<Mistake> loss_mistakes();
 
 }  // namespace lubjoint::verify

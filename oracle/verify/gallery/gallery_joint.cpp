@@ -9,6 +9,22 @@ namespace lubjoint::verify {
 namespace {
 
 bool in_transition(Quantities q, Law) { return q == Quantities::transition; }
+bool in_contact(Quantities q, Law) { return q == Quantities::transition || q == Quantities::contact; }
+/// Of another law it would be no mistake one makes.
+bool in_transition_or_its_law(Quantities q, Law law) {
+  return q == Quantities::transition || (q == Quantities::contact && law == "lankarani_nikravesh"_law);
+}
+bool of_contact(Quantities q, Law) { return q == Quantities::contact; }
+
+template <Law other>
+bool is_another_contact(Quantities q, Law law) {
+  return q == Quantities::contact && law != other;
+}
+template <Law other>
+void use_contact(Solution& s) {
+  s.law = other;
+}
+
 bool in_film_forces(Quantities q, Law) { return q == Quantities::cartesian || q == Quantities::wrench; }
 bool in_wrench(Quantities q, Law) { return q == Quantities::wrench; }
 
@@ -170,17 +186,17 @@ std::vector<Mistake> contact_mistakes() {
       {"contact_exponent_1",
        "The contact force is Kδ, not Kδ^{3/2}",
        "Wrong beyond c only, too large by 1/√δ",
-       in_transition,
+       in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 1, s.loss); }}}},
       {"contact_exponent_2",
        "The contact force is Kδ², not Kδ^{3/2}",
        "Wrong beyond c only, too small by √δ",
-       in_transition,
+       in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 2, s.loss); }}}},
       {"restitution_not_squared",
        "3(1 − c_r)/4 instead of 3(1 − c_r²)/4",
        "Wrong beyond c only, where the journal moves radially",
-       in_transition,
+       in_transition_or_its_law,
        {{Step::contact, [](S& s) { set_normal(s, 1.5L, 3 * (1 - s.restitution) / (4 * s.impact_speed)); }}}},
       {"hunt_crossley",
        "Hunt and Crossley's 3(1 − c_r)/2 instead of 3(1 − c_r²)/4",
@@ -190,17 +206,17 @@ std::vector<Mistake> contact_mistakes() {
       {"contact_loss_left_out",
        "The contact is elastic: no term with the penetration rate",
        "Wrong beyond c only, where the journal moves radially",
-       in_transition,
+       in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 1.5L, 0); }}}},
       {"penetration_rate_sign",
        "The penetration rate has the wrong sign",
        "Wrong beyond c only: the contact gives energy to the impact",
-       in_transition,
+       in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 1.5L, -s.loss); }}}},
       {"contact_pulls",
        "The contact force may become negative",
        "Wrong beyond c only, for fast separation: the wall pulls",
-       in_transition,
+       in_contact,
        {{Step::contact,
          [](S& s) {
            const Real depth = std::max(s.penetration, Real(0));
@@ -209,8 +225,61 @@ std::vector<Mistake> contact_mistakes() {
       {"contact_outwards",
        "The contact force acts along +r, not −r",
        "Wrong beyond c only: the wall sucks the journal in",
-       in_transition,
+       in_contact,
        {{Step::contact, [](S& s) { s.normal = -s.normal; }}}},
+      {"impact_speed_left_out",
+       "The loss is χδ̇ with δ̇ in m/s: not divided by the impact speed",
+       "Right where the journal's distance does not change",
+       of_contact,
+       {{Step::contact, [](S& s) { set_normal(s, 1.5L, s.loss * s.impact_speed); }}}},
+      {"loss_without_indentation",
+       "The damping does not grow with the indentation: Kδ^{3/2} + Kχδ̇/δ̇₀",
+       "A jump at the wall; right where the journal's distance does not change",
+       of_contact,
+       {{Step::contact,
+         [](S& s) {
+           if (!(s.penetration > 0)) return;
+           const Real elastic = s.stiffness * s.penetration * std::sqrt(s.penetration);
+           s.normal = std::max(elastic + s.stiffness * s.loss * s.penetration_rate, Real(0));
+         }}}},
+      {"speed_for_penetration_rate",
+       "The journal's speed |v| is used for the penetration rate",
+       "Right where the journal moves straight into the wall",
+       of_contact,
+       {{Step::contact,
+         [](S& s) {
+           s.penetration_rate = std::hypot(s.v.x(), s.v.y());
+           set_normal(s, 1.5L, s.loss);
+         }}}},
+      {"contact_inside_clearance",
+       "The indentation is |e| − c of either sign: the wall acts inside of the clearance, too",
+       "A force where there should be none",
+       of_contact,
+       {{Step::contact,
+         [](S& s) {
+           const Real depth = std::abs(s.penetration);
+           s.normal = std::max(s.stiffness * depth * std::sqrt(depth) * (1 + s.loss * s.penetration_rate), Real(0));
+         }}}},
+      {"contact_law_lankarani_nikravesh",
+       "The law is Lankarani and Nikravesh's, χ = 3(1 − c_r²)/4",
+       "Right where the journal's distance does not change",
+       is_another_contact<"lankarani_nikravesh"_law>,
+       {{Step::inputs, use_contact<"lankarani_nikravesh"_law>}}},
+      {"contact_law_hunt_crossley",
+       "The law is Hunt and Crossley's, χ = 3(1 − c_r)/2",
+       "Right where the journal's distance does not change",
+       is_another_contact<"hunt_crossley"_law>,
+       {{Step::inputs, use_contact<"hunt_crossley"_law>}}},
+      {"contact_law_flores",
+       "The law is that of Flores et al. (2011), χ = 8(1 − c_r)/(5c_r)",
+       "Right where the journal's distance does not change",
+       is_another_contact<"flores"_law>,
+       {{Step::inputs, use_contact<"flores"_law>}}},
+      {"contact_law_gonthier",
+       "The law is that of Gonthier et al. (2004), χ = d/c_r with (1 + d/c_r)/(1 − d) = exp(d(1 + 1/c_r))",
+       "Right where the journal's distance does not change",
+       is_another_contact<"gonthier"_law>,
+       {{Step::inputs, use_contact<"gonthier"_law>}}},
       {"transport_moment_left_out",
        "The reaction acts at the bearing's centre: no transport moment e × (−F)",
        "Forces right; the bearing's moment wrong by e × F",

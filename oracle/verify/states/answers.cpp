@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <locale>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -98,10 +99,10 @@ class DigitCounter {
 };
 
 /// True if every number is exact in single precision, and there are enough of them for that to be no accident.
-bool all_in_single(const std::vector<Answer>& values, std::size_t columns) {
+bool all_in_single(const std::vector<Answer>& values, const std::vector<std::size_t>& columns) {
   std::size_t numbers = 0;
   for (const Answer& answer : values) {
-    for (std::size_t k = 0; k < columns; ++k) {
+    for (const std::size_t k : columns) {
       if (std::isnan(answer[k]) || answer[k] == 0) continue;
       if (!is_single(answer[k])) return false;
       ++numbers;
@@ -117,15 +118,23 @@ std::optional<std::size_t> id_of(std::string_view field, std::size_t count) {
 }
 
 std::string expected_header(Quantities quantities) {
-  std::string header = "id";
-  for (const std::string_view name : answer_columns(quantities)) header.append(",").append(name);
+  std::string header = is_table(quantities) ? "" : "id";
+  for (const std::string_view name : answer_columns(quantities)) header.append(header.empty() ? "" : ",").append(name);
   return header;
 }
 
 }  // namespace
 
+std::vector<std::size_t> all_columns(Quantities quantities) {
+  std::vector<std::size_t> all(answer_columns(quantities).size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 Answers read_answers(Quantities quantities, std::string_view csv, const std::string& name, std::size_t count) {
-  const std::string wanted = "; expected are the columns " + expected_header(quantities) + " and one row a state";
+  const std::string wanted = std::string("; expected are the columns ") +
+                             (is_table(quantities) ? "id and any of " : "") + expected_header(quantities) +
+                             " and one row a state";
   const auto& names = answer_columns(quantities);
   try {
     const reports::CsvTable table(csv, name);
@@ -133,7 +142,13 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
     const auto has = [&](std::string_view column) {
       return std::ranges::find(table.columns(), column) != table.columns().end();
     };
-    const bool in_order = !has("id") && std::ranges::all_of(names, has);
+    Answers answers;
+    for (const std::size_t k : all_columns(quantities)) {
+      if (!is_table(quantities) || has(names[k])) answers.columns.push_back(k);
+    }
+    if (answers.columns.empty()) throw UnjudgedError(name + ": none of the columns is there" + wanted);
+    const bool in_order =
+        !has("id") && std::ranges::all_of(answers.columns, [&](std::size_t k) { return has(names[k]); });
     if (in_order && table.rows() != count) {
       throw UnjudgedError(fmt::format("{}: {} rows without ids for {} states; allowed is one row a state, in order",
                                       name, table.rows(), count) +
@@ -141,9 +156,8 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
     }
     const std::size_t id = in_order ? 0 : table.column("id");
     std::vector<std::size_t> columns;
-    columns.reserve(names.size());
-    for (const std::string_view column : names) columns.push_back(table.column(column));
-    Answers answers;
+    columns.reserve(answers.columns.size());
+    for (const std::size_t k : answers.columns) columns.push_back(table.column(names[k]));
     answers.values.assign(count, Answer{});
     std::vector<bool> seen(count, false);
     DigitCounter digits;
@@ -155,9 +169,11 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
       }
       if (seen[*place]) table.refuse(row, fmt::format("id {} is there twice; allowed is one row a state", *place + 1));
       seen[*place] = true;
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        const std::string_view field = table.field(row, columns[k]);
-        const std::optional<double> value = number_or_nan(field);
+      for (std::size_t n = 0; n < columns.size(); ++n) {
+        const std::size_t k = answers.columns[n];
+        const std::string_view field = table.field(row, columns[n]);
+        const bool undefined = field.empty() && names[k] == "side_flow";
+        const std::optional<double> value = undefined ? nan : number_or_nan(field);
         if (!value) table.refuse(row, fmt::format("{} is \"{}\"; allowed is a number", names[k], field));
         answers.values[*place][k] = *value;
         if (!std::isnan(*value)) digits.see(field);
@@ -170,7 +186,7 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
                           wanted);
     }
     answers.text = digits.result();
-    answers.text.all_single = all_in_single(answers.values, names.size());
+    answers.text.all_single = all_in_single(answers.values, answers.columns);
     return answers;
   } catch (const reports::CsvError& error) {
     throw UnjudgedError(error.what() + wanted);
@@ -185,14 +201,19 @@ void scale(Answers& answers, double unit) {
   answers.text.absolute *= unit;
 }
 
-Answers answers_from_numbers(std::vector<Answer> values, std::size_t columns) {
+Answers answers_from_numbers(Quantities quantities, std::vector<Answer> values) {
   for (Answer& answer : values) {
     for (double& value : answer) {
       if (!std::isfinite(value)) value = nan;
     }
   }
-  Answers answers{std::move(values), {}};
-  answers.text.all_single = all_in_single(answers.values, columns);
+  Answers answers{std::move(values), {}, {}};
+  for (const std::size_t k : all_columns(quantities)) {
+    const bool any = std::ranges::any_of(answers.values, [&](const Answer& a) { return !std::isnan(a[k]); });
+    if (any || !is_table(quantities)) answers.columns.push_back(k);
+  }
+  if (answers.columns.empty()) answers.columns = all_columns(quantities);
+  answers.text.all_single = all_in_single(answers.values, answers.columns);
   return answers;
 }
 

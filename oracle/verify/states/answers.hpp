@@ -33,10 +33,15 @@ struct TextPrecision {
 struct Answers {
   std::vector<Answer> values;
   TextPrecision text;
+  std::vector<std::size_t> columns;  ///< that were given; of a table any of them, of other quantities all
 };
 
+/// The columns of these quantities, all of them.
+std::vector<std::size_t> all_columns(Quantities quantities);
+
 /// Reads answers and puts them in the order of the states by their id. A byte-order mark, carriage returns and another
-/// order are fine.
+/// order are fine. Of a table (is_table) any columns may be left out, and a side flow may be empty where a bearing has
+/// none.
 /// @param name  of the source, for messages;  @param count  of states, ids 1…count
 /// @throws UnjudgedError for a missing column, an id that is unknown, missing or there twice, or a field that is no
 /// number
@@ -45,7 +50,8 @@ Answers read_answers(Quantities quantities, std::string_view csv, const std::str
 /// Answers in another unit, which is so many of ours. A unit that is a power of two leaves their digits as they were.
 void scale(Answers& answers, double unit);
 
-/// Answers that were never text. Numbers that are not finite become NaN.
-Answers answers_from_numbers(std::vector<Answer> values, std::size_t columns);
+/// Answers that were never text. Numbers that are not finite become NaN; a table's column without any number counts as
+/// not given.
+Answers answers_from_numbers(Quantities quantities, std::vector<Answer> values);
 
 }  // namespace lubjoint::verify

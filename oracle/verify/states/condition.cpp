@@ -18,8 +18,11 @@ namespace lubjoint::verify {
 namespace {
 
 bool anywhere(Quantities) { return true; }
-bool in_plane_only(Quantities q) { return !is_polar(q); }
-bool in_polar_only(Quantities q) { return is_polar(q); }
+bool has_rates(Quantities q) { return !is_of_load(q); }
+bool in_plane_only(Quantities q) { return !is_polar(q) && !is_of_load(q); }
+bool in_motion_only(Quantities q) { return has_rates(q) && q != Quantities::contact; }
+bool where_spins_are_given(Quantities q) { return in_plane_only(q) && q != Quantities::contact; }
+bool where_omega_is_given(Quantities q) { return is_polar(q) || is_of_load(q); }
 
 bool given_in_polar(const State& s) { return s.ex == 0 && s.ey == 0 && s.vx == 0 && s.vy == 0; }
 
@@ -40,6 +43,11 @@ double attitude_rate_of(const State& s) {
 }
 
 constexpr std::array<std::string_view, 6> comparator_words = {"<", "<=", "==", "!=", ">=", ">"};
+
+/// Known before a law is: under a load, ε is what it answers.
+bool is_declared(const Feature& feature, Quantities quantities) {
+  return feature.is_there(quantities) && (!is_of_load(quantities) || feature.name == "omega");
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -207,13 +215,13 @@ class DomainSearch {
 
 const std::vector<Feature>& features() {
   static const std::vector<Feature> list = {
-      {"omega_sum", true, [](const State& s) { return s.omega_bearing + s.omega_journal; }, in_plane_only},
-      {"omega_bearing", true, [](const State& s) { return s.omega_bearing; }, in_plane_only},
-      {"omega_journal", true, [](const State& s) { return s.omega_journal; }, in_plane_only},
-      {"omega", true, [](const State& s) { return s.omega; }, in_polar_only},
-      {"slip_rate", true, [](const State& s) { return static_cast<double>(kinematics(s).a); }, anywhere},
-      {"squeeze_rate", true, [](const State& s) { return static_cast<double>(kinematics(s).b); }, anywhere},
-      {"attitude_rate", true, attitude_rate_of, anywhere},
+      {"omega_sum", true, [](const State& s) { return s.omega_bearing + s.omega_journal; }, where_spins_are_given},
+      {"omega_bearing", true, [](const State& s) { return s.omega_bearing; }, where_spins_are_given},
+      {"omega_journal", true, [](const State& s) { return s.omega_journal; }, where_spins_are_given},
+      {"omega", true, [](const State& s) { return s.omega; }, where_omega_is_given},
+      {"slip_rate", true, [](const State& s) { return static_cast<double>(kinematics(s).a); }, in_motion_only},
+      {"squeeze_rate", true, [](const State& s) { return static_cast<double>(kinematics(s).b); }, has_rates},
+      {"attitude_rate", true, attitude_rate_of, in_motion_only},
       {"ex", true, [](const State& s) { return s.ex; }, in_plane_only},
       {"ey", true, [](const State& s) { return s.ey; }, in_plane_only},
       {"speed", false, [](const State& s) { return std::hypot(s.vx, s.vy); }, in_plane_only},
@@ -267,7 +275,7 @@ std::string words(const Domain& domain) {
 Conjunction read_conditions(Quantities quantities, std::string_view text) {
   std::string names;
   for (const Feature& feature : features()) {
-    if (feature.is_there(quantities)) names += (names.empty() ? "" : ", ") + std::string(feature.name);
+    if (is_declared(feature, quantities)) names += (names.empty() ? "" : ", ") + std::string(feature.name);
   }
   const std::string allowed =
       "; allowed are conditions NAME OP NUMBER with commas between them, OP one of < <= == != >= >, NAME one of " +
@@ -284,8 +292,8 @@ Conjunction read_conditions(Quantities quantities, std::string_view text) {
     if (end == std::string_view::npos) refuse();
     const std::string_view name = trimmed(part.substr(0, begin)), number = trimmed(part.substr(end));
     const auto comparator = std::ranges::find(comparator_words, part.substr(begin, end - begin));
-    const auto feature =
-        std::ranges::find_if(features(), [&](const Feature& f) { return f.name == name && f.is_there(quantities); });
+    const auto feature = std::ranges::find_if(
+        features(), [&](const Feature& f) { return f.name == name && is_declared(f, quantities); });
     double threshold = 0;
     const auto [last, error] = std::from_chars(number.data(), number.data() + number.size(), threshold);
     const bool is_number = error == std::errc() && last == number.data() + number.size() && std::isfinite(threshold);
@@ -294,6 +302,18 @@ Conjunction read_conditions(Quantities quantities, std::string_view text) {
     if (comma == std::string_view::npos) return list;
     text.remove_prefix(comma + 1);
   }
+}
+
+Conjunction steady_conditions(Quantities quantities) {
+  if (quantities == Quantities::contact) {
+    throw std::invalid_argument("steady does nothing with the quantities contact: nothing turns");
+  }
+  if (is_of_load(quantities)) {
+    throw std::invalid_argument("steady does nothing with the quantities " + std::string(name_of(quantities)) +
+                                ": every state is");
+  }
+  return read_conditions(
+      quantities, is_polar(quantities) ? "squeeze_rate == 0, attitude_rate == 0" : "speed == 0, omega_bearing == 0");
 }
 
 Domain domain_of(Quantities quantities, const std::vector<State>& states, const std::vector<int>& in_set) {

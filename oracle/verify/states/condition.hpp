@@ -45,6 +45,10 @@ std::string words(const Conjunction& conditions);  ///< "omega_sum > 0 and ex < 
 /// @throws std::invalid_argument that names the part that is wrong, and what is allowed
 Conjunction read_conditions(Quantities quantities, std::string_view text);
 
+/// Steady rotation: neither squeeze nor whirl, the bearing at rest.
+/// @throws std::invalid_argument for a load, whose states are all steady
+Conjunction steady_conditions(Quantities quantities);
+
 /// Any of several conjunctions; none where it is not known.
 using Domain = std::vector<Conjunction>;
 

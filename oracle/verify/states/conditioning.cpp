@@ -62,8 +62,44 @@ double polar_conditioning(const Solution& s) {
          size_of(Plane(s.spin_part * slope(1))) + size_of(Plane(s.attitude_part * slope(1)));
 }
 
+constexpr double step = 0x1p-24;  // far below the distance to any seam; half the digits of a tolerance are enough
+
+/// How far the columns of a table move, those of a group together.
+void add_difference(const Solution& from, const Solution& to, Answer& sum) {
+  for (std::size_t k = 0; k < answer_columns(from.quantities).size(); ++k) {
+    const ColumnGroup group = group_of(from.quantities, k);
+    Real square = 0;
+    for (std::size_t i = group.begin; i < group.end; ++i) {
+      square += (to.answer[i] - from.answer[i]) * (to.answer[i] - from.answer[i]);
+    }
+    if (!std::isnan(square)) sum[k] += static_cast<double>(std::sqrt(square) / step);
+  }
+}
+
+/// Of a table: the inputs, and under a load ε, too, which a program works out and rounds.
+Answer of_table(const State& state, const Solution& s) {
+  Answer sum{};
+  for (const StateColumn& column : state_columns(s.quantities)) {
+    if (state.*column.value == 0) continue;
+    State moved = state;
+    moved.*column.value *= 1 - step;
+    Solution there = solve(s.quantities, s.law, moved);
+    if (!(there.q() > 0)) {
+      moved.*column.value = state.*column.value * (1 + step);
+      there = solve(s.quantities, s.law, moved);
+    }
+    add_difference(s, there, sum);
+  }
+  if (!is_of_load(s.quantities)) return sum;
+  const Change rounded{Step::kinematics, [](Solution& there) {
+                         there.ratio_gap += step * there.ratio;
+                         there.ratio -= step * there.ratio;
+                       }};
+  add_difference(s, solve(s.quantities, s.law, state, std::span(&rounded, 1)), sum);
+  return sum;
+}
+
 Answer by_differences(const State& state, const Solution& s) {
-  constexpr double step = 0x1p-24;  // far below the distance to any seam; half the digits of a tolerance are enough
   Answer sum{};
   const std::size_t columns = answer_columns(s.quantities).size();
   for (const StateColumn& column : state_columns(s.quantities)) {
@@ -88,11 +124,12 @@ Answer by_differences(const State& state, const Solution& s) {
 
 Answer input_conditioning(const State& state, const Solution& s) {
   if (std::isnan(s.answer[0])) return {};
+  if (is_table(s.quantities)) return of_table(state, s);
   if (!is_film_force(s.quantities)) return by_differences(state, s);
   const double force = with_film_law<StateFilmLaws>(name_of(s.law), [&]<class FilmLaw>() {
     return is_polar(s.quantities) ? polar_conditioning<FilmLaw>(s) : plane_conditioning<FilmLaw>(s);
   });
-  Answer result{force, force, 0, 0};
+  Answer result{force, force};
   if (s.quantities != Quantities::wrench) return result;
   // Moments s × F: the force's, and the arm's own rounding once for each of its numbers.
   const double size = size_of(s.force), e = size_of(s.e);

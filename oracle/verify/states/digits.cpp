@@ -17,14 +17,18 @@ double quantile(std::vector<double> values, double share) {
   return *place;
 }
 
-bool is_moving(const Reference& r) { return r.size[0] > 0; }
+/// Is there an answer other than zero?
+bool is_moving(const Judgement& judgement, std::size_t i) {
+  return judgement.references[i].size[judgement.first_column()] > 0;
+}
 
 /// Decided for the purpose of counting digits: what a published form loses counts, what the inputs lose does not.
 bool counts(const Judgement& judgement, std::size_t i) {
   const Comparison& c = judgement.comparisons[i];
   const Reference& r = judgement.references[i];
-  if (c.left_out() || c.outcome == Outcome::not_a_number || !is_moving(r)) return false;
-  return judgement.precision.tolerance(r, 0) <= coarsest_tolerance * r.size[0];
+  if (c.left_out() || c.outcome == Outcome::not_a_number || !is_moving(judgement, i)) return false;
+  const std::size_t first = judgement.first_column();
+  return judgement.precision.tolerance(r, first) <= coarsest_tolerance * r.size[first];
 }
 
 DigitDecade decade(const Judgement& judgement, const std::string& where, const auto& selects,
@@ -32,7 +36,7 @@ DigitDecade decade(const Judgement& judgement, const std::string& where, const a
   DigitDecade result{where};
   for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
     const Comparison& c = judgement.comparisons[i];
-    if (c.left_out() || !is_moving(judgement.references[i]) || !selects(judgement.references[i])) continue;
+    if (c.left_out() || !is_moving(judgement, i) || !selects(judgement.references[i])) continue;
     ++result.states;
     if (c.outcome == Outcome::undecided) ++result.undecided;
     if (c.fails()) ++result.failing;
@@ -116,6 +120,7 @@ DigitProfile digit_profile(const Judgement& judgement) {
 
 std::optional<FactorGroup> factor_group(const Judgement& judgement, const std::vector<State>& states,
                                         const Answers& answers, double digits) {
+  if (is_table(judgement.quantities)) return {};  // column by column: columns_of
   // Where a program has two digits only, a positive factor may be chance.
   const bool few_digits = digits < 2.5;
   const double tolerance = std::clamp(3 * std::pow(10.0, -digits), 3e-3, 0.03);  // fewer digits where films are thin
@@ -126,8 +131,7 @@ std::optional<FactorGroup> factor_group(const Judgement& judgement, const std::v
   std::vector<Off> off;
   for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
     const Comparison& c = judgement.comparisons[i];
-    if (c.excess <= 1 || c.left_out() || c.outcome == Outcome::not_a_number || !is_moving(judgement.references[i]))
-      continue;
+    if (c.excess <= 1 || c.left_out() || c.outcome == Outcome::not_a_number || !is_moving(judgement, i)) continue;
     const auto& expected = judgement.references[i].expected;
     const std::complex<double> right(static_cast<double>(expected[0]), static_cast<double>(expected[1]));
     off.push_back({i, std::complex<double>(answers.values[i][0], answers.values[i][1]) / right});
@@ -148,7 +152,7 @@ std::optional<FactorGroup> factor_group(const Judgement& judgement, const std::v
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Comparison& c = judgement.comparisons[i];
     // Where answers are off by less regular amounts, too, the place is told from those that are right.
-    if (!c.left_out() && is_moving(judgement.references[i]) && (c.right() || c.digits >= 2)) in_group[i] = 0;
+    if (!c.left_out() && is_moving(judgement, i) && (c.right() || c.digits >= 2)) in_group[i] = 0;
   }
   for (const std::size_t i : best->members) in_group[i] = 1;
   best->where = domain_of(judgement.quantities, states, in_group);

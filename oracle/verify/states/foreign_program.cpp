@@ -181,10 +181,14 @@ std::string last_words(const std::string& error) {
 
 }  // namespace
 
-std::string run_program(const std::vector<std::string>& command, std::string_view input,
-                        std::chrono::duration<double> timeout) {
+std::string run_program(const std::vector<std::string>& command, std::string_view input, const ProgramLimits& limits) {
   if (command.empty() || command[0].empty()) throw UnjudgedError("no program is named");
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
+  const auto after = [](const std::optional<std::chrono::duration<double>>& span) {
+    return span ? Clock::now() + std::chrono::duration_cast<Clock::duration>(*span) : Clock::time_point::max();
+  };
+  const auto deadline = after(limits.in_all);
+  auto next_line_due = after(limits.between_lines);
+  std::size_t lines = 0, looked_at = 0;
   const BrokenPipesIgnored guard;
   Pipe in;
   Pipe out;
@@ -197,15 +201,23 @@ std::string run_program(const std::vector<std::string>& command, std::string_vie
   std::string answer;
   std::string complaints;
   const auto too_late = [&] {
+    if (next_line_due < deadline) {
+      return UnjudgedError(
+          fmt::format("\"{}\" printed no line for {} s (--state-timeout) and was stopped; it had printed {} lines. A "
+                      "program must write each answer when it has it, not when its buffer is full (python3 -u, fflush)",
+                      command[0], limits.between_lines->count(), lines) +
+          last_words(complaints));
+    }
     return UnjudgedError(fmt::format("\"{}\" was not done after {} s (--timeout) and was stopped; it had printed {} "
                                      "bytes. A program must end when its standard input does",
-                                     command[0], timeout.count(), answer.size()) +
+                                     command[0], limits.in_all->count(), answer.size()) +
                          last_words(complaints));
   };
   while (out.read.open() || error.read.open()) {
     std::array<pollfd, 3> ends = {pollfd{in.write.get(), POLLOUT, 0}, pollfd{out.read.get(), POLLIN, 0},
                                   pollfd{error.read.get(), POLLIN, 0}};  // poll skips negative descriptors
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::min(deadline, next_line_due) - Clock::now()).count();
     if (left <= 0) throw too_late();
     if (::poll(ends.data(), ends.size(), static_cast<int>(std::min<long>(left, 1000))) < 0 && errno != EINTR) {
       throw UnjudgedError(std::string("poll: ") + std::strerror(errno));
@@ -216,10 +228,16 @@ std::string run_program(const std::vector<std::string>& command, std::string_vie
       if (input.empty() || (put < 0 && errno != EAGAIN && errno != EINTR)) in.write.close();
     }
     if (ends[1].revents != 0 && !drain(out.read, answer)) out.read.close();
+    const auto more = static_cast<std::size_t>(
+        std::count(answer.begin() + static_cast<std::ptrdiff_t>(looked_at), answer.end(), '\n'));
+    looked_at = answer.size();
+    lines += more;
+    if (more > 0) next_line_due = after(limits.between_lines);
+    if (more > 0 && limits.on_lines) limits.on_lines(lines);
     if (ends[2].revents != 0 && !drain(error.read, complaints)) error.read.close();
   }
   in.write.close();
-  const int status = child.wait_until(deadline);
+  const int status = child.wait_until(std::min(deadline, next_line_due));
   if (status < 0) throw too_late();
   if (WIFSIGNALED(status)) {
     throw UnjudgedError(

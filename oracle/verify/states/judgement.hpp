@@ -19,7 +19,8 @@ struct Reference {
   std::array<double, most_answers> sensitivity;
   /// What a published form may lose beyond that: 16 roundings of every term that it is the sum of.
   std::array<double, most_answers> published;
-  std::array<double, most_answers> size;  ///< |F|, or |F| times the arm: what agreement in digits is relative to
+  std::array<double, most_answers> error{};  ///< of `expected` itself, where it is a sum in finite precision
+  std::array<double, most_answers> size;     ///< |F|, or |F| times the arm: what agreement in digits is relative to
   Regime regime;
   const GoldenAnswers::Row* golden = nullptr;  ///< where `expected` is certified; kept by the state
   double smallest = 1, largest = 1;            ///< magnitudes of inputs and answers other than zero
@@ -47,7 +48,8 @@ struct Precision {
 /// or where at most nine digits are printed and single explains the errors, or where three answers in five have
 /// errors, all of single precision's size and no two alike. Otherwise double.
 Precision measured_precision(Quantities quantities, const std::vector<Reference>& references,
-                             const std::vector<State>& states, const Answers& answers);
+                             const std::vector<State>& states, const Answers& answers,
+                             const std::vector<std::size_t>& columns);
 
 /// What can be said of one answer.
 enum class Outcome {
@@ -80,9 +82,15 @@ inline constexpr double coarsest_tolerance = 0.005;
 /// (verify_precision_test).
 inline constexpr double largest_undecided_share = 0.4;
 
+/// @param columns   of the answers that are compared
 /// @param accepted  error over |F| that is right by the user's word
-std::vector<Comparison> compare(const std::vector<Reference>& references, const Answers& answers, std::size_t columns,
-                                const Precision& precision, double accepted = 0);
+std::vector<Comparison> compare(const std::vector<Reference>& references, const Answers& answers,
+                                const std::vector<std::size_t>& columns, const Precision& precision,
+                                double accepted = 0);
+
+/// One number's outcome, by its error against what rounding explains.
+Outcome number_outcome(const Reference& reference, std::size_t column, double given, const Precision& precision,
+                       double accepted);
 
 /// What became of a regime's states.
 struct RegimeResult {
@@ -98,6 +106,7 @@ struct RegimeResult {
 struct Judgement {
   Quantities quantities;
   Law law;
+  std::vector<std::size_t> columns;  ///< of the answers, those that are judged
   Precision precision;
   std::vector<Reference> references;
   std::vector<Comparison> comparisons;
@@ -109,6 +118,7 @@ struct Judgement {
   std::optional<std::size_t> worst;  ///< of the failing ones, the one that shows most
   double accepted = 0;               ///< error over |F| that is right by the user's word
 
+  std::size_t first_column() const { return columns.front(); }
   std::size_t judged() const { return comparisons.size() - left_out; }
   /// No answer fails, and enough of them were decided.
   bool agrees() const { return failing.empty() && enough_decided(); }
@@ -116,6 +126,10 @@ struct Judgement {
     return static_cast<double>(undecided) <= largest_undecided_share * static_cast<double>(judged());
   }
 };
+
+/// Columns that were given and that the law has: a long bearing has no side flow.
+/// @throws UnjudgedError if there are none
+std::vector<std::size_t> judged_columns(Quantities quantities, Law law, const Answers& answers);
 
 /// @param accepted  error over |F| that is right by the user's word
 Judgement judge(Quantities quantities, Law law, const std::vector<State>& states, const Answers& answers,

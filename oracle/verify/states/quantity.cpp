@@ -56,7 +56,22 @@ const std::vector<StateColumn>& state_columns(Quantities quantities) {
       {"x", &State::ex}, {"y", &State::ey}, {"vx", &State::vx}, {"vy", &State::vy}};
   static const std::vector<StateColumn> extent(polar.begin() + 4, polar.end());  // neither oil nor bearing
   static const std::vector<StateColumn> pressure = joined(polar, {{"theta", &State::theta}, {"z", &State::z}});
+  static const std::vector<StateColumn> of_load =
+      joined(oil_and_bearing, {{"omega", &State::omega}, {"load", &State::load}});
+  static const std::vector<StateColumn> contact = {{"clearance", &State::clearance},
+                                                   {"contact_stiffness", &State::contact_stiffness},
+                                                   {"restitution", &State::restitution},
+                                                   {"impact_speed", &State::impact_speed},
+                                                   {"ex", &State::ex},
+                                                   {"ey", &State::ey},
+                                                   {"vx", &State::vx},
+                                                   {"vy", &State::vy}};
   switch (quantities) {
+    case Quantities::contact:
+      return contact;
+    case Quantities::coefficients:
+    case Quantities::equilibrium:
+      return of_load;
     case Quantities::polar:
       return polar;
     case Quantities::extent:
@@ -70,6 +85,7 @@ const std::vector<StateColumn>& state_columns(Quantities quantities) {
     case Quantities::dimensionless:
       return dimensionless;
     case Quantities::cartesian:
+    case Quantities::losses:
       break;
   }
   return cartesian;
@@ -81,10 +97,23 @@ const std::vector<std::string_view>& answer_columns(Quantities quantities) {
   static const std::vector<std::string_view> wrench = {"fx", "fy", "mz_bearing", "mz_journal"};
   static const std::vector<std::string_view> extent = {"theta_s", "theta_e"};
   static const std::vector<std::string_view> pressure = {"pressure"};
+  static const std::vector<std::string_view> equilibrium = {"eccentricity_ratio", "attitude"};
+  static const std::vector<std::string_view> coefficients = {
+      "eccentricity_ratio", "attitude", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
+  static const std::vector<std::string_view> losses = {"torque_journal", "torque_bearing", "power", "side_flow"};
+  if (quantities == Quantities::coefficients) return coefficients;
+  if (quantities == Quantities::equilibrium) return equilibrium;
+  if (quantities == Quantities::losses) return losses;
   if (quantities == Quantities::polar) return polar;
   if (quantities == Quantities::extent) return extent;
   if (quantities == Quantities::pressure) return pressure;
   return quantities == Quantities::wrench ? wrench : plane;
+}
+
+ColumnGroup group_of(Quantities quantities, std::size_t column) {
+  if (quantities == Quantities::coefficients && column >= 2) return column < 6 ? ColumnGroup{2, 6} : ColumnGroup{6, 10};
+  const bool alone = is_table(quantities) || quantities == Quantities::pressure || column >= 2;
+  return alone ? ColumnGroup{column, column + 1} : ColumnGroup{0, 2};
 }
 
 std::string state_header(Quantities quantities) {

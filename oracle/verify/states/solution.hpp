@@ -9,13 +9,14 @@
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "oracle/verify/states/quantity.hpp"
+#include "oracle/verify/states/steady_film.hpp"
 
 namespace lubjoint::verify {
 
 using Real = long double;
 using Plane = Vector2<Real>;
 
-/// A film law, by its place among law_names.
+/// A film law, by its place among law_names, or after them a law of dry contact.
 struct Law {
   std::size_t place = 0;
 
@@ -25,12 +26,38 @@ struct Law {
 inline constexpr auto law_names = names_of_laws<StateFilmLaws>;
 inline constexpr std::size_t law_count = law_names.size();
 
-/// @throws std::invalid_argument that lists the laws there are
-constexpr Law law_of(std::string_view name) { return {film_law_index<StateFilmLaws>(name)}; }
+/// Laws of dry contact, F_N = K δ^{3/2}(1 + χ δ̇/δ̇₀), never pulling; of the facts of a film their name alone says
+/// something. χ: lankarani_nikravesh (1990) ¾(1 − c_r²); hunt_crossley (1975) 3(1 − c_r)/2; flores (2011)
+/// 8(1 − c_r)/(5c_r); gonthier (2004) d/c_r with (1 + d/c_r)/(1 − d) = exp(d(1 + 1/c_r)), 0 < d < 1, which gives back
+/// exactly c_r of the speed.
+inline constexpr std::array<LawFacts, 4> contact_law_facts = [] {
+  std::array<LawFacts, 4> all{};
+  constexpr std::array<std::string_view, 4> names = {"lankarani_nikravesh", "hunt_crossley", "flores", "gonthier"};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = facts_of_laws<StateFilmLaws>[0];
+    all[i].name = names[i];
+    all[i].words = "dry contact";
+    all[i].extent = FilmExtent::full;
+    all[i].has_pressure = all[i].kinks = all[i].jumps = all[i].squeeze_only = false;
+  }
+  return all;
+}();
+inline constexpr std::size_t every_law_count = law_count + contact_law_facts.size();
+
+/// @throws std::invalid_argument that lists the laws of films there are
+constexpr Law law_of(std::string_view name) {
+  for (std::size_t i = 0; i < contact_law_facts.size(); ++i) {
+    if (contact_law_facts[i].name == name) return {law_count + i};
+  }
+  return {film_law_index<StateFilmLaws>(name)};
+}
 /// The same, of a name that is checked when it is compiled.
 consteval Law operator""_law(const char* name, std::size_t size) { return law_of({name, size}); }
 
-constexpr const LawFacts& facts_of(Law law) { return facts_of_laws<StateFilmLaws>[law.place]; }
+constexpr bool is_contact_law(Law law) { return law.place >= law_count; }
+constexpr const LawFacts& facts_of(Law law) {
+  return is_contact_law(law) ? contact_law_facts[law.place - law_count] : facts_of_laws<StateFilmLaws>[law.place];
+}
 constexpr std::string_view name_of(Law law) { return facts_of(law).name; }
 constexpr bool is_short(Law law) { return facts_of(law).is_short(); }
 constexpr bool is_full(Law law) { return facts_of(law).extent == FilmExtent::full; }
@@ -38,18 +65,45 @@ constexpr bool is_half(Law law) { return facts_of(law).extent == FilmExtent::hal
 /// Between θs and θe, its pressure integrated: not Pinkus and Sternlicht's, whose force is no integral.
 constexpr bool is_dynamic(Law law) { return facts_of(law).extent == FilmExtent::dynamic && facts_of(law).has_pressure; }
 
-/// Steps of the work, in their order.
+/// Steps of the work, in their order; under a load, the scale comes before ε, which kinematics then means.
 enum class Step {
   inputs,      ///< what the state says, as read
   kinematics,  ///< r, t, ε, b and the two parts of a
   rates,       ///< a and b
-  terms,       ///< F_r/S and F_t/S, each as a wedge term (of a) and a squeeze term (of b)
+  terms,       ///< F_r/S and F_t/S, each as a wedge term (of a) and a squeeze term (of b); at rest, their slopes
   scale,       ///< S
-  film,        ///< radial and tangential force of the film
+  film,        ///< radial and tangential force of the film; K and C in (r, t)
   contact,     ///< normal force of the contact, and the weight of the blend
-  total,       ///< force on the journal
-  moments,     ///< moments about the mass centres
+  total,       ///< force on the journal; K and C in x and y
+  moments,     ///< moments about the mass centres; torques, power and flow
   answer       ///< the numbers that are given
+};
+
+/// A journal at rest under a load.
+struct Rest {
+  Real load = 0;              ///< W [N]
+  Real spin = 0;              ///< ω [rad/s]
+  bool radial_alone = false;  ///< W is balanced by F_r, and F_t left out
+  SteadySlopes slopes;        ///< over S|ω|, over S
+  Real attitude = 0;          ///< from the load to e, positive in the sense of the spin [rad]
+  PolarCoefficients polar{};  ///< in (r, t) [N/m, N s/m]
+  Entries stiffness{};        ///< in x and y, row by row [N/m]
+  Entries damping{};          ///< likewise [N s/m]
+};
+
+/// What the film costs, each torque about its body's own centre.
+struct Costs {
+  ShearExtent shear = ShearExtent::film;
+  Real relative_spin = 0;     ///< ω_J − ω_B [rad/s]
+  Real couette_integral = 0;  ///< I₁ = ∫dθ/H [-]
+  Real couette_rate = 0;      ///< T_C/ω = (μR³L/c) I₁ [N m s]
+  Real couette = 0;           ///< T_C [N m]
+  Real moment = 0;            ///< e × F [N m]
+  Real torque_journal = 0;    ///< −T_C − ½ e × F [N m]
+  Real torque_bearing = 0;    ///< T_C − ½ e × F [N m]
+  Real squeeze_power = 0;     ///< −c F·u [W]
+  Real power = 0;             ///< ω T_C − c F·u [W]
+  Real side_flow = 0;         ///< out of both sides, net; NaN for a long bearing, which has none [m³/s]
 };
 
 /// Numbers on the way from a state to its answer.
@@ -78,7 +132,7 @@ struct Solution {
   Real scale = 0;
   Real radial = 0, tangential = 0;  ///< of the film [N]
   Real penetration = 0, penetration_rate = 0;
-  Real loss = 0;          ///< d = 3(1 − c_r²)/(4δ̇₀)
+  Real loss = 0;          ///< χ/δ̇₀; in a transition, χ = 3(1 − c_r²)/4
   Real normal = 0;        ///< F_N [N]
   Real of_dry = 0;        ///< weight of the contact in the blend
   Plane force{0, 0};      ///< on the journal
@@ -88,6 +142,8 @@ struct Solution {
   Real theta_s = 0, theta_e = 0;
   Real pressure = 0;
   Real pressure_terms = 0;  ///< sum of the magnitudes that the pressure is made of
+  Rest rest;                ///< of a load
+  Costs costs;              ///< of losses
   std::array<Real, most_answers> answer{};
 
   Real q() const { return ratio_gap * (1 + ratio); }  ///< 1 − ε²
@@ -104,6 +160,20 @@ struct Change {
 /// Works out the answer; the changes that a step has are made after it, in their order.
 /// Where no film exists (ε ≥ 1) the answer is NaN; so is the pressure of Pinkus and Sternlicht's law, which has none.
 Solution solve(Quantities quantities, Law law, const State& state, std::span<const Change> changes = {});
+
+/// Of a journal at rest under a load, in this order: ε from the load; K and C in (r, t) from the slopes; attitude, and
+/// K and C in x and y.
+void find_rest(Solution& solution);
+void find_polar_coefficients(Solution& solution);
+void find_inertial_coefficients(Solution& solution);
+
+/// T_C, torques, power and side flow; need force and rates.
+void find_costs(Solution& solution);
+/// The magnitudes of what torques, power and flow are the sums of.
+std::array<Real, 4> size_of_costs(const Solution& solution);
+
+/// χ of a law of contact.
+Real contact_loss(Law law, Real restitution);
 
 /// θs and θe of the law's film, and the pressure at (θ, z); need the rates.
 void find_extent(Solution& solution);

@@ -1,12 +1,15 @@
 #include "oracle/verify/states/states.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
 #include "oracle/verify/states/golden_states.hpp"
 #include "oracle/verify/states/single_precision.hpp"
 #include "oracle/verify/states/solution.hpp"
+#include "oracle/verify/states/steady_slopes.hpp"
 
 namespace lubjoint::verify {
 
@@ -188,11 +191,99 @@ State without_dimensions(const State& given) {
   return s;
 }
 
+/// A journal in or at its wall: depth over the clearance, rates over the impact speed, along e and across it.
+State contact_at(double depth, double along, double across, double angle, Draw& draw) {
+  State s = bearing_of(draw);
+  const double size = s.clearance * (1 + depth), x = std::cos(angle), y = std::sin(angle);
+  s.ex = in_single(size * x);
+  s.ey = in_single(size * y);
+  s.vx = in_single(s.impact_speed * (along * x - across * y));
+  s.vy = in_single(s.impact_speed * (along * y + across * x));
+  return s;
+}
+
+/// Every quadrant; pressing in, at rest, leaving as slowly and as fast as an impact does, faster than any; inside the
+/// clearance, where there is no force.
+std::vector<State> designed_contacts() {
+  Draw draw(20090411);
+  std::vector<State> states;
+  for (const double depth : {-0.5, -0.01, 0.003, 0.02, 0.1, 0.5, 3.0}) {
+    for (const double along : {-6.0, -0.9, -0.3, 0.0, 0.3, 1.0, 4.0}) {
+      for (int quadrant = 0; quadrant < 4; ++quadrant) {
+        const double angle = std::numbers::pi / 2 * (quadrant + draw.between(0.1, 0.9));
+        const double across = draw.between(-1, 1);
+        states.push_back(contact_at(depth, along, across, angle, draw));
+      }
+    }
+  }
+  return states;
+}
+
+State random_contact(Draw& draw) {
+  const bool apart = draw.unit() < 0.1;
+  const double depth = apart ? -draw.unit() : draw.decades(1e-3, 1);
+  const double along = draw.between(-3, 2), across = draw.between(-2, 2);
+  const double angle = draw.between(0, 2 * std::numbers::pi);
+  return contact_at(depth, along, across, angle, draw);
+}
+
+/// A journal that carries a load, at about this ε by the law's published form; the others answer with another one.
+State load_at(Law law, double ratio, double spin, Draw& draw) {
+  State s = bearing_of(draw);
+  s.omega = in_single(spin * draw.between(0.7, 1.4));
+  const SteadySlopes f = published_slopes(law, ratio, 1 - static_cast<Real>(ratio));
+  s.load = 1;  // for the scale
+  const Solution one = solve(Quantities::equilibrium, law, s);
+  s.load = in_single(static_cast<double>(f.size() * one.scale * std::abs(one.rest.spin)));
+  return s;
+}
+
+/// Loads from the centre to the wall, of short and of long films, both spins.
+std::vector<State> designed_loads() {
+  Draw draw(20090410);
+  std::vector<State> states;
+  for (const double ratio :
+       {1e-4, 1e-3, 0.01, 0.04, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.93, 0.96, 0.98, 0.99, 0.995}) {
+    for (const Law law : {"short_half"_law, "long_half"_law}) {
+      for (const double spin : {300.0, -300.0, 40.0, -1500.0}) states.push_back(load_at(law, ratio, spin, draw));
+    }
+  }
+  return states;
+}
+
+State random_load(Draw& draw) {
+  const Law law = draw.unit() < 0.5 ? "short_half"_law : "long_half"_law;
+  const double kind = draw.unit();
+  double ratio = draw.between(0.05, 0.95);
+  if (kind < 0.15) ratio = draw.decades(1e-5, 0.05);
+  if (kind > 0.85) ratio = 1 - draw.decades(2e-3, 0.05);
+  return load_at(law, ratio, draw.sign() * draw.decades(10, 3000), draw);
+}
+
+/// Losses are asked for where the gap's shear has its digits: an input's rounding leaves few of them in a thinner film.
+bool is_asked_for_losses(const State& state) {
+  return state.clearance - std::hypot(state.ex, state.ey) >= 5e-5 * state.clearance;
+}
+
 }  // namespace
 
+Regime regime_at_rest(Real ratio, double omega) {
+  if (ratio < 0.05L) return Regime::near_concentric;
+  if (ratio > 0.9L) return Regime::thin_film;
+  return omega < 0 ? Regime::reversing : Regime::moderate;
+}
+
 Regime regime_of(Quantities quantities, const State& state) {
+  if (is_of_load(quantities)) {
+    const Solution s = solve(quantities, "short_full"_law, state);
+    return regime_at_rest(s.ratio, state.omega);
+  }
   const Solution s = solve(quantities, "short_full"_law, state);
   const double distance = std::hypot(state.ex, state.ey);
+  if (quantities == Quantities::contact) {
+    if (distance <= state.clearance) return Regime::moderate;
+    return s.penetration_rate < 0 ? Regime::separating : Regime::contact;
+  }
   if (quantities == Quantities::transition && distance > state.clearance) return Regime::contact;
   const Real ratio = is_polar(quantities) ? s.ratio : distance / state.clearance;
   if (ratio < 0.05L) return Regime::near_concentric;
@@ -202,6 +293,13 @@ Regime regime_of(Quantities quantities, const State& state) {
 }
 
 std::vector<State> designed_states(Quantities quantities) {
+  if (quantities == Quantities::contact) return designed_contacts();
+  if (is_of_load(quantities)) return designed_loads();
+  if (quantities == Quantities::losses) {
+    std::vector<State> states = designed_states(Quantities::cartesian);
+    std::erase_if(states, [](const State& state) { return !is_asked_for_losses(state); });
+    return states;
+  }
   if (quantities == Quantities::dimensionless) {
     std::vector<State> states;
     for (const State& each : designed_states(Quantities::cartesian)) {
@@ -255,6 +353,56 @@ std::vector<State> designed_states(Quantities quantities) {
   return states;
 }
 
+std::vector<State> covering_states(Quantities quantities, std::vector<State> states, std::size_t most) {
+  if (states.size() <= most) return states;
+  const auto sign = [](Real x) { return x > 0 ? 1 : x < 0 ? -1 : 0; };
+  std::map<int, std::map<std::pair<int, int>, std::vector<std::size_t>>> kinds;  // by regime, then by signs
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Solution s = solve(quantities, "short_full"_law, states[i]);
+    const std::pair signs = is_of_load(quantities) ? std::pair(sign(s.rest.spin), 0) : std::pair(sign(s.a), sign(s.b));
+    kinds[static_cast<int>(regime_of(quantities, states[i]))][signs].push_back(i);
+  }
+  // Of each kind, its middle, then the middles of both halves, and so on.
+  const auto spread = [](const std::vector<std::size_t>& all) {
+    std::vector<std::size_t> order;
+    std::vector<std::pair<std::size_t, std::size_t>> open = {{0, all.size()}};
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      const auto [begin, end] = open[next];
+      if (begin == end) continue;
+      const std::size_t middle = begin + (end - begin) / 2;
+      order.push_back(all[middle]);
+      open.emplace_back(begin, middle);
+      open.emplace_back(middle + 1, end);
+    }
+    return order;
+  };
+  std::vector<std::vector<std::size_t>> by_regime;  // each: its kinds in turn
+  for (const auto& [regime, of_signs] : kinds) {
+    std::vector<std::vector<std::size_t>> rows;
+    for (const auto& [signs, all] : of_signs) rows.push_back(spread(all));
+    std::vector<std::size_t> in_turn;
+    for (std::size_t round = 0; in_turn.size() < most; ++round) {
+      const std::size_t before = in_turn.size();
+      for (const auto& row : rows) {
+        if (round < row.size()) in_turn.push_back(row[round]);
+      }
+      if (in_turn.size() == before) break;
+    }
+    by_regime.push_back(std::move(in_turn));
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t round = 0; chosen.size() < most; ++round) {
+    for (const auto& row : by_regime) {
+      if (round < row.size() && chosen.size() < most) chosen.push_back(row[round]);
+    }
+  }
+  std::ranges::sort(chosen);
+  std::vector<State> some;
+  some.reserve(chosen.size());
+  for (const std::size_t i : chosen) some.push_back(std::move(states[i]));
+  return some;
+}
+
 std::vector<State> states_to_verify(Quantities quantities, const std::filesystem::path& golden, std::size_t random,
                                     std::uint64_t seed, const Conjunction& domain) {
   std::vector<State> states = golden_states(quantities, golden);
@@ -264,6 +412,11 @@ std::vector<State> states_to_verify(Quantities quantities, const std::filesystem
   const bool may_be_thin = is_film_force(quantities);
   const std::size_t all = states.size() + random;
   for (std::size_t tries = 0; states.size() < all && tries < 20 * random; ++tries) {
+    if (is_of_load(quantities) || quantities == Quantities::contact) {
+      State s = is_of_load(quantities) ? random_load(draw) : random_contact(draw);
+      if (holds(domain, s)) states.push_back(std::move(s));
+      continue;
+    }
     State s = bearing_of(draw);
     const double kind = draw.unit();
     double gap = draw.between(0.1, 0.95);
@@ -278,6 +431,7 @@ std::vector<State> states_to_verify(Quantities quantities, const std::filesystem
     }
     set_motion(s, gap, 2 * size * std::cos(direction), b, draw);
     if (quantities == Quantities::dimensionless) s = without_dimensions(s);
+    if (quantities == Quantities::losses && !is_asked_for_losses(s)) continue;
     if (!sign_is_doubtful(quantities, s) && holds(domain, s)) states.push_back(s);
   }
   if (states.empty()) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracle/verify/states/condition.hpp"
+#include "oracle/verify/states/solution.hpp"
 
 namespace lubjoint::verify {
 
@@ -17,13 +18,21 @@ inline constexpr std::array<std::string_view, 6> regime_names = {"contact",    "
                                                                  "separating", "reversing",       "moderate"};
 
 Regime regime_of(Quantities quantities, const State& state);
+/// Of a journal that rests at ε under a load; reversing where ω < 0.
+Regime regime_at_rest(Real ratio, double omega);
 
 /// Designed states: every combination of ε from the centre to 0.9999, signs and zeros of a and b; steady rotation,
 /// whirl and squeeze each alone, of both signs, in a bearing that rests and one that turns; for forces, films down to
 /// 1 − ε = 3e-10; the seams of the transition; rest. All numbers are exact in single precision, but for films thinner
 /// than 5e-5, so that a program in single precision gets the same states. Where a film jumps (a = 0 with the half
-/// films), a is zero in any order of operations or far from zero, or the state is left out (Precision::decides).
+/// films), a is zero in any order of operations or far from zero, or the state is left out (Precision::decides). Loads
+/// are those at which short_half or long_half rests at ε from 1e-4 to 0.995; losses are asked for at films of 1 − ε ≥
+/// 5e-5.
 std::vector<State> designed_states(Quantities quantities);
+
+/// Of states at most so many, in their order, chosen so that every regime is there and in each the signs of its rates:
+/// one of each kind in turn, the first of them the one in the middle of its kind.
+std::vector<State> covering_states(Quantities quantities, std::vector<State> states, std::size_t most);
 
 /// The golden states, the designed ones, and as many seeded random ones; the same on every machine.
 /// @param golden  folder of the golden data

@@ -76,7 +76,8 @@ std::vector<Signal> signals_of(const Scene& scene, const Trajectory& reference) 
   for (const char* term : {"kinetic", "potential"}) {
     signals.add(SignalKind::energy, "energy", term, {term}, 0, units.energy, 1, "J");
   }
-  for (const char* term : ledger_names) {
+  for (std::size_t i = 0; i < ledger_works(scene); ++i) {
+    const char* term = ledger_names[i];
     signals.add(SignalKind::energy, "work", std::string("of ") + term, {term}, 0, units.energy, 1, "J");
   }
   return std::move(signals.list);

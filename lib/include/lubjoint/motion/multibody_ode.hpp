@@ -10,11 +10,11 @@
 
 namespace lubjoint {
 
-/// Kinetic energy, and potential energy of the weights [J].
+/// Kinetic energy, and potential energy of weights and springs [J].
 template <class R>
 struct MechanicalEnergy {
   R kinetic;    ///< of all bodies
-  R potential;  ///< of all weights
+  R potential;  ///< of all weights and springs
 };
 
 /// y = (q, q̇) and, with a ledger, the work of each term;  ẏ = (q̇, q̈, powers).
@@ -35,8 +35,12 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   bool has_contact() const { return has_contact_; }                            ///< may any joint touch?
   std::size_t mechanical_states() const { return 2 * system_.coordinates(); }  ///< of (q, q̇)
   /// Number of states.
-  std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? ledger_terms : 0); }
+  std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? works() : 0); }
+  /// Number of terms of a ledger.
+  std::size_t works() const { return ledger_terms + (system_.elements().has_dampers() ? 1 : 0); }
   std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
+  /// Leaves out of the count what was evaluated since it was at n: looks at a run are none of its cost.
+  void count_from(std::size_t n) { evaluations_ = n; }
 
   /// Memories of the joints; empty where nothing can touch and no film jumps.
   std::vector<JointMemory<R>>& memory() { return memory_; }
@@ -56,7 +60,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
 
   SystemWorkspace<R>& workspace() { return real_; }  ///< of the last evaluation
 
-  /// ½q̇ᵀMq̇, and the potential energy −Σ m g·r.
+  /// ½q̇ᵀMq̇, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
   MechanicalEnergy<R> energy(const State& y) const {
     MechanicalEnergy<R> sum{R(0), R(0)};
     const std::size_t n = system_.coordinates();
@@ -66,6 +70,14 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
       const R* v = y.data() + n + 3 * b;
       sum.kinetic += (body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2]) / 2;
       sum.potential -= body.mass * (system_.gravity().x() * q[0] + system_.gravity().y() * q[1]);
+    }
+    if (!system_.elements().springs.empty()) {
+      sum.potential += system_.elements().template energy<R>([&](std::size_t body) {
+        if (body == ground_body) return PlanarFrame<R>(ground_motion<R>());
+        const R* q = y.data() + 3 * body;
+        const R* v = q + n;
+        return PlanarFrame<R>({Vector2<R>(q[0], q[1]), q[2], Vector2<R>(v[0], v[1]), v[2]});
+      });
     }
     return sum;
   }
@@ -79,11 +91,21 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
       dydt[i] = y[n + i];
       dydt[n + i] = w.accelerations[i];
     }
-    if (with_ledger_) fill_powers(y, w, &dydt[2 * n]);
+    if (with_ledger_) fill_powers(t, y, w, &dydt[2 * n]);
   }
 
-  template <class T>
-  void fill_powers(const std::vector<T>& y, const SystemWorkspace<T>& w, T* power) const {
+  /// Powers of moving loads and of dampers. Not inlined, as what systems without them leave out.
+  template <class T, class Time>
+  [[gnu::noinline]] void add_element_powers(const Time& t, const SystemWorkspace<T>& w, T* power) const {
+    const ForceElements<R>& elements = system_.elements();
+    const auto frame = [&](std::size_t body) -> const PlanarFrame<T>& { return system_.frame(body, w); };
+    power[static_cast<std::size_t>(LedgerTerm::loads)] += elements.template load_power<T>(t, frame);
+    if (elements.has_dampers())
+      power[static_cast<std::size_t>(LedgerTerm::dampers)] = elements.template damper_power<T>(frame);
+  }
+
+  template <class T, class Time>
+  void fill_powers(const Time& t, const std::vector<T>& y, const SystemWorkspace<T>& w, T* power) const {
     const std::size_t n = system_.coordinates();
     for (std::size_t i = 0; i < ledger_terms; ++i) power[i] = T(0);
     const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
@@ -92,6 +114,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
       const T* v = &y[n + 3 * b];
       add(LedgerTerm::loads, T(body.load.x() * v[0] + body.load.y() * v[1] + body.moment * v[2]));
     }
+    if (system_.has_elements()) add_element_powers(t, w, power);
     for (const JointForce<T>& joint : w.joints) {
       add(LedgerTerm::film, joint.film_power());
       if (has_contact_) add(LedgerTerm::contact, joint.contact_power());

@@ -135,8 +135,7 @@ class MultibodyPieces {
   /// Constraints by projection, where that is their upkeep; journals that slide onto their lines.
   bool hold(const R& t, State& y, bool exactly) {
     if (!exactly) note_parted(t, y);
-    const bool projects = upkeep_ == ConstraintUpkeep::by_projection;
-    if (projects) project_onto_constraints(ode_.system(), t, y, ode_.workspace());
+    const bool projects = upkeep_ == ConstraintUpkeep::by_projection && project(t, y);
     const bool slides = std::any_of(watched_.begin(), watched_.end(),
                                     [this](std::size_t j) { return ode_.memory()[j].side == FilmSide::sliding; });
     if (!slides) return projects;
@@ -170,6 +169,18 @@ class MultibodyPieces {
   }
 
  private:
+  /// Onto the constraints, but where they are not independent: the next step ends elsewhere.
+  bool project(const R& t, State& y) {
+    projected_ = y;
+    try {
+      project_onto_constraints(ode_.system(), t, projected_, ode_.workspace());
+    } catch (const SingularConstraints&) {
+      return false;
+    }
+    y.swap(projected_);
+    return true;
+  }
+
   static constexpr std::size_t margins_each = 4;
 
   static R abs_of(const R& x) {
@@ -431,6 +442,7 @@ class MultibodyPieces {
 
   MultibodyOde<R>& ode_;
   ConstraintUpkeep upkeep_;
+  State projected_;  ///< a copy: a projection that fails leaves nothing behind
   R tolerance_;
   std::vector<std::size_t> watched_;  ///< joints with pieces
   std::vector<R> slides_since_;       ///< of each joint

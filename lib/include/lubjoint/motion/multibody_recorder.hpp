@@ -11,6 +11,7 @@
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/motion/multibody_step.hpp"
+#include "lubjoint/motion/sensor_values.hpp"
 #include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
@@ -104,12 +105,29 @@ template <class R>
 class MultibodyRecorder {
  public:
   /// @param pieces  into so many a step is divided in the search for its extremes
-  MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces)
-      : ode_(ode), settings_(settings), pieces_(pieces), trackers_(2 * ode.system().joints().size()) {
+  /// @param sensors  what is measured beside bodies, joints and constraints; kept by reference
+  MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces,
+                    const std::vector<Sensor>& sensors)
+      : ode_(ode),
+        settings_(settings),
+        pieces_(pieces),
+        trackers_(2 * ode.system().joints().size()),
+        sensors_(sensors) {
     for (std::size_t c = 0; c < ode.system().constraints().size(); ++c) {
-      if (ode.system().constraints()[c].is_driver()) drivers_.push_back(c);
+      const NamedConstraint<R>& constraint = ode.system().constraints()[c];
+      if (constraint.is_driver()) {
+        drivers_.push_back(c);
+      } else {
+        // A pin can't hold a moment.
+        const bool pin = std::holds_alternative<Revolute<R>>(constraint.constraint);
+        reactions_.push_back({c, false});
+        if (!pin) reactions_.push_back({c, true});
+      }
     }
-    trackers_.resize(trackers_.size() + 2 * drivers_.size());
+    first_reaction_ = trackers_.size() + 2 * drivers_.size();
+    first_sensor_ = first_reaction_ + reactions_.size();
+    for (const Sensor& sensor : sensors_) sensor_values_ += sensor_quantities(sensor).size();
+    trackers_.resize(first_sensor_ + 2 * sensor_values_);
     values_.resize(trackers_.size());
   }
 
@@ -150,7 +168,8 @@ class MultibodyRecorder {
         step->state_at(t, n, state_);
       }
       const SystemWorkspace<R>& w = ode_.at(t, state_, step->memory);
-      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w);
+      if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
+      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w, measured_);
       if (i == pieces_) note_drift(w, step->y_new);
       for (std::size_t k = 0; k < trackers_.size(); ++k) {
         trackers_[k].consider(values_[k], t, step, [&] { return by(by_method, *step, t, k); });
@@ -174,6 +193,20 @@ class MultibodyRecorder {
       low.value = -low.value;
       driver_extremes_.push_back({high, low});
     }
+    for (const Reaction& reaction : reactions_) {
+      const Peak largest = peak(k++, by_method);
+      if (reaction.of_moment) {
+        reaction_extremes_.back().moment = largest;
+      } else {
+        reaction_extremes_.push_back({reaction.constraint, largest, std::nullopt});
+      }
+    }
+    for (std::size_t s = 0; s < sensor_values_; ++s) {
+      const Peak high = peak(k++, by_method);
+      Peak low = peak(k++, by_method);
+      low.value = -low.value;
+      sensor_extremes_.push_back({high, low});
+    }
   }
 
   const std::vector<MultibodySample>& samples() const { return samples_; }  ///< in order
@@ -185,8 +218,18 @@ class MultibodyRecorder {
   const std::vector<JointExtremes>& joint_extremes() const { return joint_extremes_; }
   /// Of the drivers, in order; after finish.
   const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
+  /// Of the constraints that are no drivers, in order; after finish.
+  const std::vector<ReactionExtremes>& reaction_extremes() const { return reaction_extremes_; }
+  /// Of the sensors' values, in order; after finish.
+  const std::vector<SensorExtremes>& sensor_extremes() const { return sensor_extremes_; }
 
  private:
+  /// A constraint whose force, or whose moment, is followed.
+  struct Reaction {
+    std::size_t constraint;
+    bool of_moment;
+  };
+
   /// i intervals; within rounding of the end it is the end.
   double output_time(std::size_t i) const {
     const double t = static_cast<double>(i) * settings_.output_interval;
@@ -197,8 +240,14 @@ class MultibodyRecorder {
     return static_cast<double>(ode_.system().reaction_on_second(driver, w)[2]);
   }
 
-  /// What tracker k follows: |e| and |F| of each joint, then the moment of each driver and its opposite.
-  double quantity(std::size_t k, const SystemWorkspace<R>& w) const {
+  /// What tracker k follows: |e| and |F| of each joint, then the moment of each driver and its opposite, then the
+  /// reactions, then each value of the sensors and its opposite.
+  double quantity(std::size_t k, const SystemWorkspace<R>& w, const std::vector<double>& measured) const {
+    if (k >= first_sensor_) {
+      const double value = measured[(k - first_sensor_) / 2];
+      return (k - first_sensor_) % 2 == 0 ? value : -value;
+    }
+    if (k >= first_reaction_) return size_of(reactions_[k - first_reaction_], w);
     const std::size_t joint = k / 2;
     if (joint < w.joints.size()) {
       const JointForce<R>& force = w.joints[joint];
@@ -208,10 +257,30 @@ class MultibodyRecorder {
     return k % 2 == 0 ? value : -value;
   }
 
+  /// |F| or |M| of a constraint.
+  double size_of(const Reaction& reaction, const SystemWorkspace<R>& w) const {
+    const JointReaction<R> at_joint = ode_.system().reaction_at_joint(reaction.constraint, w);
+    return reaction.of_moment ? std::abs(static_cast<double>(at_joint.moment))
+                              : static_cast<double>(at_joint.force.norm());
+  }
+
   template <class ByMethod>
   double by(const ByMethod& by_method, const MultibodyStep<R>& step, const R& t, std::size_t k) {
-    by_method(step, t, exact_);
-    return quantity(k, ode_.at(t, exact_, step.memory));
+    const bool of_run = k < first_reaction_;  // reactions and sensors often peak together, and are none of its cost
+    if (of_run || t != exact_t_ || step.t_old != exact_from_) {
+      const std::size_t counted = ode_.evaluations();
+      by_method(step, t, exact_);
+      if (!of_run) ode_.count_from(counted);
+      exact_t_ = t;
+      exact_from_ = step.t_old;
+    }
+    return exactly(k, ode_.at(t, exact_, step.memory));
+  }
+
+  /// The same, of a state that is not one of a step's pieces.
+  double exactly(std::size_t k, const SystemWorkspace<R>& w) {
+    if (k >= first_sensor_) read_sensors(sensors_, ode_.system(), w, exactly_measured_);
+    return quantity(k, w, exactly_measured_);
   }
 
   template <class ByMethod>
@@ -220,7 +289,7 @@ class MultibodyRecorder {
         pieces_,
         [&](const MultibodyStep<R>& step, const R& t) {
           step.state_at(t, ode_.system().coordinates(), state_);
-          return quantity(k, ode_.at(t, state_, step.memory));
+          return exactly(k, ode_.at(t, state_, step.memory));
         },
         [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
   }
@@ -236,6 +305,7 @@ class MultibodyRecorder {
       sample.joints.push_back(detail::joint_sample(ode_.system().joints()[j], w.joints[j], at_j));
     }
     for (const std::size_t c : drivers_) sample.driving_moments.push_back(moment(w, c));
+    if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, sample.sensors);
     if (ode_.with_ledger()) {
       const MechanicalEnergy<R> energy = ode_.energy(y);
       sample.ledger = {narrow(energy.kinetic), narrow(energy.potential)};
@@ -266,12 +336,20 @@ class MultibodyRecorder {
   std::size_t pieces_;
   std::vector<detail::PeakTracker<R>> trackers_;
   std::vector<std::size_t> drivers_;
+  std::vector<Reaction> reactions_;
+  const std::vector<Sensor>& sensors_;
+  std::size_t first_reaction_ = 0;  ///< its tracker
+  std::size_t first_sensor_ = 0;    ///< likewise
+  std::size_t sensor_values_ = 0;   ///< of all sensors together
   std::size_t next_ = 0;
   std::vector<MultibodySample> samples_;
   std::vector<R> state_, exact_;
-  std::vector<double> values_;
+  R exact_t_{-1}, exact_from_{-1};  ///< of exact_: its time, and where its step begins
+  std::vector<double> values_, measured_, exactly_measured_;
   std::vector<JointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;
+  std::vector<ReactionExtremes> reaction_extremes_;
+  std::vector<SensorExtremes> sensor_extremes_;
   ConstraintDrift drift_;
   R start_energy_{};
   double energy_residual_ = 0;

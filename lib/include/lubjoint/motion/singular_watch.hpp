@@ -20,13 +20,6 @@
 
 namespace lubjoint {
 
-/// A position where constraints are not independent.
-struct SingularPosition {
-  double t;          ///< [s]
-  std::size_t row;   ///< the constraint's row that repeats those before it there
-  double how_close;  ///< sine of the angle between them, 0 where it is exact
-};
-
 /// Watches the independence of the constraints: the least sine s of the angle between a row of Φq M^{-1/2} and the rows
 /// before it, which the factors of Φq M⁻¹ Φqᵀ have at hand. s is smooth but where it vanishes, and there it is a V: so
 /// its least value is looked for, by the method itself, wherever its slope between three looks could reach 0. A look at
@@ -84,14 +77,19 @@ class SingularWatch {
     return SingularPosition{static_cast<double>(t), ode_.workspace().schur.least_row(), sine};
   }
 
-  /// "a singular position …", with the constraint and what to do.
-  std::string words(const SingularPosition& position) const {
+  /// The constraint that repeats others there.
+  const std::string& constraint(const SingularPosition& position) const {
     const auto& constraints = ode_.system().constraints();
     std::size_t c = 0;
     while (c + 1 < constraints.size() && ode_.system().first_row(c + 1) <= position.row) ++c;
-    return "a singular position, where the constraints are not independent: \"" + constraints[c].name +
+    return constraints[c].name;
+  }
+
+  /// "a singular position …", with the constraint and what to do.
+  std::string words(const SingularPosition& position) const {
+    return "a singular position, where the constraints are not independent: \"" + constraint(position) +
            "\" repeats what the others fix. The mechanism may go on from there in more than one way; let the run end "
-           "before it, or change a length";
+           "before it, change a length, or say singular_positions = \"pass\" to go on as the velocities lead";
   }
 
  private:

@@ -5,6 +5,7 @@
 
 #include "lubjoint/multibody/constraint.hpp"
 #include "lubjoint/multibody/film_slide.hpp"
+#include "lubjoint/multibody/force_elements.hpp"
 #include "lubjoint/multibody/system_workspace.hpp"
 
 namespace lubjoint {
@@ -16,7 +17,15 @@ struct Baumgarte {
   R beta = R(0);   ///< stiffness
 };
 
-/// Bodies, constraints, joints. The state is y = (q, q̇), q = (x, y, φ) of every body in turn.
+/// What a constraint does to its second body at the joint: at the pin's or the slider's point, or, where it holds no
+/// point, at the mass centre.
+template <class T>
+struct JointReaction {
+  Vector2<T> force;  ///< inertial axes [N]
+  T moment;          ///< about that point, counter-clockwise positive [N m]
+};
+
+/// Bodies, constraints, joints, springs and loads. The state is y = (q, q̇), q = (x, y, φ) of every body in turn.
 ///   M q̈ + Φqᵀ λ = g,  Φq q̈ = γ − 2αΦ̇ − β²Φ
 /// Source: Flores et al. (2009), eqs. 39 to 41. M is diagonal: λ comes from the Schur complement Φq M⁻¹ Φqᵀ, whose
 /// structure is found once. Without constraints there is no solve. On a scalar with derivatives the value is solved
@@ -26,10 +35,13 @@ class PlanarSystem {
  public:
   /// Finds the structure of the equations; numbers of bodies are those of their place in the list.
   PlanarSystem(std::vector<PlanarBody<R>> bodies, std::vector<NamedConstraint<R>> constraints,
-               std::vector<JointElement<R>> joints, const Vector2<R>& gravity, const Baumgarte<R>& stabilisation)
+               std::vector<JointElement<R>> joints, const Vector2<R>& gravity, const Baumgarte<R>& stabilisation,
+               ForceElements<R> elements = {})
       : bodies_(std::move(bodies)),
         constraints_(std::move(constraints)),
         joints_(std::move(joints)),
+        elements_(std::move(elements)),
+        has_elements_(!elements_.empty()),
         gravity_(gravity),
         stabilisation_(stabilisation) {
     for (const PlanarBody<R>& body : bodies_) inverse_mass_.push_back(body.inverse_mass());
@@ -44,6 +56,8 @@ class PlanarSystem {
   const std::vector<JointElement<R>>& joints() const { return joints_; }               ///< in their order
   /// Numbers of the joints whose oil is sheared.
   const std::vector<std::size_t>& sheared_joints() const { return sheared_joints_; }
+  bool has_elements() const { return has_elements_; }                              ///< springs or moving loads?
+  const ForceElements<R>& elements() const { return elements_; }                   ///< springs and moving loads
   const Vector2<R>& gravity() const { return gravity_; }                           ///< [m/s²]
   std::size_t coordinates() const { return planar_coordinates * bodies_.size(); }  ///< number of q
   std::size_t constraint_rows() const { return first_row_.back(); }                ///< number of λ
@@ -71,11 +85,12 @@ class PlanarSystem {
   /// Everything at (t, y): frames, joint forces, constraint rows, q̈ and λ, into the workspace. The time, too, may carry
   /// derivatives.
   /// @param y  2 × coordinates() numbers;  @param memory  of the joints, one each (unused without contact)
-  /// @throws FilmDomainError, SingularConstraints
+  /// @throws FilmDomainError, SingularConstraints, SpringWithoutDirection
   template <class T, class Time>
   void evaluate(const Time& t, const T* y, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
     place(y, w);
     apply_forces(memory, w);
+    if (has_elements_) apply_elements(t, w);
     if (constraint_rows() > 0) {
       evaluate_constraints(t, w);
       factorise(w);
@@ -146,6 +161,14 @@ class PlanarSystem {
       if (joint.journal_at.body != ground_body) w.forces[3 * joint.journal_at.body + 2] += torque;
       if (joint.bearing_at.body != ground_body) w.forces[3 * joint.bearing_at.body + 2] -= torque;
     }
+  }
+
+  /// Springs and moving loads, into forces. Not inlined: the path of systems without any stays as it is.
+  /// @throws SpringWithoutDirection
+  template <class T, class Time>
+  [[gnu::noinline]] void apply_elements(const Time& t, SystemWorkspace<T>& w) const {
+    elements_.apply(
+        t, [&](std::size_t body) -> const PlanarFrame<T>& { return frame(body, w); }, w.forces);
   }
 
   /// Constraint rows of the frames.
@@ -271,6 +294,16 @@ class PlanarSystem {
     return sum;
   }
 
+  /// The same at the joint, from an evaluated workspace. λ has the share of Baumgarte's terms in it, which is as small
+  /// as the drift.
+  template <class T>
+  JointReaction<T> reaction_at_joint(std::size_t constraint, const SystemWorkspace<T>& w) const {
+    const std::array<T, 3> sum = reaction_on_second(constraint, w);
+    const Vector2<T> force(sum[0], sum[1]);
+    const Vector2<T> arm = inertial_vector(frame(constraints_[constraint].second_body(), w), joint_points_[constraint]);
+    return {force, T(sum[2] - cross(arm, force))};
+  }
+
  private:
   struct Sides {
     std::size_t first;
@@ -290,6 +323,9 @@ class PlanarSystem {
   void find_structure() {
     first_row_.push_back(0);
     for (const NamedConstraint<R>& each : constraints_) {
+      Vector2<R> at(R(0), R(0));  // the last of its points is the second body's
+      each.visit_points([&](const BodyPoint<R>& point) { at = point.point; });
+      joint_points_.push_back(at);
       for (std::size_t i = 0; i < each.rows(); ++i) sides_.push_back({each.first_body(), each.second_body()});
       first_row_.push_back(first_row_.back() + each.rows());
     }
@@ -382,6 +418,9 @@ class PlanarSystem {
   std::vector<NamedConstraint<R>> constraints_;
   std::vector<JointElement<R>> joints_;
   std::vector<std::size_t> sheared_joints_;
+  ForceElements<R> elements_;
+  bool has_elements_;
+  std::vector<Vector2<R>> joint_points_;  // of each constraint, fixed to its second body
   Vector2<R> gravity_;
   Baumgarte<R> stabilisation_;
   std::vector<std::array<R, 3>> inverse_mass_;

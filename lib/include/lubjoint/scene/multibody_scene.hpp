@@ -24,9 +24,6 @@ struct SceneUnits {
   double energy;     ///< [J]
 };
 
-/// What the driver is called that holds a body's spin; its moment is the one that this takes.
-inline std::string held_spin_name(const SceneBody& body) { return body.name + ".spin"; }
-
 /// The scene's bodies, constraints and joints on any scalar.
 template <class R>
 PlanarSystem<R> planar_system(const Scene& scene) {
@@ -35,7 +32,7 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     Vector2<R> force(R(0), R(0));
     R moment(0);
     for (const SceneLoad& load : scene.loads) {
-      if (load.body != b) continue;
+      if (load.body != b || !load.is_constant()) continue;
       force += load.force.template cast<R>();
       moment += R(load.moment);
     }
@@ -78,9 +75,25 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     }
     joints.push_back(std::move(joint));
   }
+  ForceElements<R> elements;
+  for (const SceneSpring& each : scene.springs) elements.springs.push_back(each.cast<R>());
+  for (const SceneLoad& load : scene.loads) {
+    if (load.unbalance) {
+      elements.loads.push_back(Unbalance<R>{load.body, R(load.unbalance->mass_radius), R(load.unbalance->phase)});
+    } else if (!load.is_constant()) {
+      const SceneHarmonic harmonic = load.harmonic.value_or(SceneHarmonic());
+      elements.loads.push_back(PointLoad<R>{{load.body, load.point.template cast<R>()},
+                                            load.force.template cast<R>(),
+                                            R(load.moment),
+                                            load.turns_with_body,
+                                            load.harmonic.has_value(),
+                                            R(harmonic.rate),
+                                            R(harmonic.phase)});
+    }
+  }
   const SceneStabilisation& keep = scene.stabilisation;
   return PlanarSystem<R>(std::move(bodies), std::move(constraints), std::move(joints), scene.gravity.template cast<R>(),
-                         {R(keep.alpha), R(keep.beta)});
+                         {R(keep.alpha), R(keep.beta)}, std::move(elements));
 }
 
 /// (q, q̇) of the scene's start, as the file gives it.
@@ -112,7 +125,7 @@ std::vector<R> scene_tolerances(const Scene& scene) {
       result.insert(result.end(), {length, length, R(tolerance * R(units.angle) * R(rate))});
     }
   }
-  if (scene.energy_ledger) result.insert(result.end(), ledger_terms, R(tolerance * R(units.energy)));
+  if (scene.energy_ledger) result.insert(result.end(), ledger_works(scene), R(tolerance * R(units.energy)));
   return result;
 }
 

@@ -10,6 +10,8 @@
 #include "lubjoint/film/shear_extent.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/multibody/constraint.hpp"
+#include "lubjoint/multibody/sensor.hpp"
+#include "lubjoint/multibody/spring.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "lubjoint/run/outcome.hpp"
 
@@ -28,11 +30,33 @@ struct SceneBody {
   bool spin_is_held = false;       ///< prescribed for the whole run, by whatever torque that takes
 };
 
-/// A constant force on a body, inertial, through its mass centre, and a constant moment.
+/// What the driver is called that holds a body's spin; its moment is the one that this takes.
+inline std::string held_spin_name(const SceneBody& body) { return body.name + ".spin"; }
+
+/// A load that is a multiple of cos(ωt + ψ).
+struct SceneHarmonic {
+  double rate = 0;   ///< ω [rad/s]
+  double phase = 0;  ///< ψ [rad]
+};
+
+/// The unbalance of a body whose spin is held.
+struct SceneUnbalance {
+  double mass_radius = 0;  ///< U [kg m]
+  double phase = 0;        ///< from the body's x axis [rad]
+};
+
+/// A force on a body, and a moment: constant, unless it says otherwise.
 struct SceneLoad {
-  std::size_t body = 0;         ///< its number in Scene::bodies
-  Vector2<double> force{0, 0};  ///< [N]
-  double moment = 0;            ///< counter-clockwise positive [N m]
+  std::size_t body = 0;                     ///< its number in Scene::bodies
+  Vector2<double> force{0, 0};              ///< or its amplitude [N]
+  double moment = 0;                        ///< or its amplitude, counter-clockwise positive [N m]
+  Vector2<double> point{0, 0};              ///< where the force acts, from the mass centre in the body's axes [m]
+  bool turns_with_body = false;             ///< is the force given in the body's axes?
+  std::optional<SceneHarmonic> harmonic;    ///< none: constant
+  std::optional<SceneUnbalance> unbalance;  ///< in place of force and moment
+
+  /// Is it constant, inertial and through the mass centre, whatever the motion?
+  bool is_constant() const { return !turns_with_body && !harmonic && !unbalance && is_zero(point); }
 };
 
 /// One side of a joint: a point fixed to a body, from its mass centre, or to the ground, inertial.
@@ -83,11 +107,15 @@ struct SceneJoint {
 /// A constraint of any kind, in double precision.
 using SceneConstraint = NamedConstraint<double>;
 
+/// A spring with a damper, in double precision.
+using SceneSpring = NamedSpring<double>;
+
 /// How constraints are kept: Baumgarte's α and β, or projection of every step.
 struct SceneStabilisation {
-  bool projection = false;  ///< in place of Baumgarte's terms
-  double alpha = 5;         ///< [1/s]; common values in the literature lie from 1 to 20
-  double beta = 5;          ///< [1/s]
+  bool projection = false;       ///< in place of Baumgarte's terms
+  double alpha = 5;              ///< [1/s]; common values in the literature lie from 1 to 20
+  double beta = 5;               ///< [1/s]
+  bool passes_singular = false;  ///< does a run go on where constraints are not independent?
 };
 
 /// A mechanism, what acts on it, and how it is to be run.
@@ -96,20 +124,25 @@ struct Scene {
   std::string name;                          ///< as the file gives it
   Vector2<double> gravity{0, 0};             ///< [m/s²]
   std::vector<SceneBody> bodies;             ///< in the file's order, as all lists are
-  std::vector<SceneLoad> loads;              ///< constant forces and moments
+  std::vector<SceneLoad> loads;              ///< forces and moments
   std::vector<SceneJoint> joints;            ///< with clearance
   std::vector<SceneConstraint> constraints;  ///< ideal joints, guides and drivers
+  std::vector<SceneSpring> springs;          ///< with dampers
+  std::vector<Sensor> sensors;               ///< what is measured beside bodies, joints and drivers
   SceneStabilisation stabilisation;          ///< how the constraints are kept
   bool energy_ledger = false;                ///< keep account of work and energy?
   std::string integrator = "radau_iia5";     ///< its name
   RunSettings run;                           ///< duration, tolerances, output
 };
 
-/// Does the scene hold just one journal in a bearing on the ground, without contact, constraint or ledger? It then runs
-/// by its own short path: four states, no constraints.
+/// Does the scene hold just one journal in a bearing on the ground, without contact, constraint, spring, sensor or
+/// ledger, under constant loads? It then runs by its own short path: four states, no constraints.
 bool is_free_journal(const Scene& scene);
 
 /// Is it one whose mass is 0? Its film carries the load at every moment: two states.
 bool is_massless_journal(const Scene& scene);
+
+/// Number of works in the scene's ledger, if it has one: those of dampers only where there are any.
+std::size_t ledger_works(const Scene& scene);
 
 }  // namespace lubjoint

@@ -26,20 +26,29 @@ struct JournalTrajectory {
   double wall_seconds = 0;               ///< that the run took
 };
 
+/// A position that a run passed although its constraints are not independent there.
+struct PassedPosition {
+  double t;                ///< [s]
+  std::string constraint;  ///< that repeats others there
+};
+
 /// Trajectory and extremes of a multibody scene.
 struct MultibodyTrajectory {
-  RunOutcome outcome;                     ///< how it ended, and its counts
-  StartCorrection<double> correction;     ///< what bringing the start onto the constraints has changed
-  std::vector<MultibodySample> samples;   ///< one each output interval, and the last state
-  std::vector<JointExtremes> joints;      ///< in the scene's order
-  std::vector<std::string> driver_names;  ///< in the scene's order
-  std::vector<DriverExtremes> drivers;    ///< their moments, in the same order
-  std::vector<ContactEvent> events;       ///< when a journal met or left its wall
-  std::vector<JointSlide> slides;         ///< when half films slid along a = 0
-  ConstraintDrift drift;                  ///< how far the constraints were off
-  std::optional<double> energy_residual;  ///< largest |E − E₀ − work| at the end of a step [J]
-  double energy_scale = 0;                ///< largest kinetic energy or work [J]
-  double wall_seconds = 0;                ///< that the run took
+  RunOutcome outcome;                       ///< how it ended, and its counts
+  StartCorrection<double> correction;       ///< what bringing the start onto the constraints has changed
+  std::vector<MultibodySample> samples;     ///< one each output interval, and the last state
+  std::vector<JointExtremes> joints;        ///< in the scene's order
+  std::vector<std::string> driver_names;    ///< in the scene's order
+  std::vector<DriverExtremes> drivers;      ///< their moments, in the same order
+  std::vector<ReactionExtremes> reactions;  ///< of the constraints that are no drivers, in the scene's order
+  std::vector<SensorExtremes> sensors;      ///< of every value of every sensor, in the scene's order
+  std::vector<PassedPosition> passed;       ///< singular positions, in a scene that passes them
+  std::vector<ContactEvent> events;         ///< when a journal met or left its wall
+  std::vector<JointSlide> slides;           ///< when half films slid along a = 0
+  ConstraintDrift drift;                    ///< how far the constraints were off
+  std::optional<double> energy_residual;    ///< largest |E − E₀ − work| at the end of a step [J]
+  double energy_scale = 0;                  ///< largest kinetic energy or work [J]
+  double wall_seconds = 0;                  ///< that the run took
 };
 
 /// Integrates any scene by constrained equations of motion.

@@ -19,7 +19,8 @@ struct TrajectoryTable {
 /// film_thickness of its joint, and its losses where it has a shear.
 TrajectoryTable trajectory_table(const Scene& scene, const JournalTrajectory& run);
 
-/// A mechanism's: the same for all bodies and joints, NAME.moment of the drivers, and the ledger's energies and works.
+/// A mechanism's: the same for all bodies and joints, NAME.moment of the drivers, the ledger's energies and works, and
+/// the sensors' quantities.
 TrajectoryTable trajectory_table(const Scene& scene, const MultibodyTrajectory& run);
 
 /// The four losses of a joint by name; what is not defined is none.

@@ -1,0 +1,52 @@
+#include "array_rows.hpp"
+#include "lubjoint/film/steady_place.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::c;
+
+namespace {
+
+/// @throws FilmDomainError unless the load is finite and above 0, the spin finite and not 0, and the film carries it
+template <class Law>
+SteadyPlace<double> place_of(double scale, double load, double omega) {
+  std::ostringstream message;
+  message.precision(17);
+  if (!(load > 0) || !std::isfinite(load)) {
+    message << "no steady state under a load of " << load << " N; allowed are finite loads above 0";
+  } else if (!std::isfinite(omega) || omega == 0) {
+    message << "no steady state at spin " << omega << " rad/s; allowed is a finite spin other than 0";
+  } else {
+    const auto place = steady_place<Law, double>(load / scale / std::abs(omega));
+    if (place) return *place;
+    message << "no steady state under a load of " << load << " N at spin " << omega
+            << " rad/s; allowed is a load that the film carries at an eccentricity ratio from 1e-300 to 1 - 1e-15";
+  }
+  throw FilmDomainError(message.str());
+}
+
+}  // namespace
+
+int lubjoint_film_equilibrium(const char* law, const lubjoint_bearing* bearing, size_t n, lubjoint_in load,
+                              lubjoint_in omega, lubjoint_out eccentricity_ratio, lubjoint_out attitude) {
+  return guarded([&] {
+    require("law", law);
+    require("bearing", bearing);
+    if (n > 0) {
+      require("load", load.data);
+      require("omega", omega.data);
+      require("eccentricity_ratio", eccentricity_ratio.data);
+      require("attitude", attitude.data);
+    }
+    const Bearing<double> geometry = bearing_of(*bearing);
+    const Lubricant<double> oil(bearing->viscosity);
+    require_law_at_rest(law);
+    with_film_law(law, [&]<class Law>() {
+      const double scale = force_scale(Law::limit, geometry, oil);
+      for_rows(n, eccentricity_ratio, attitude, [&](std::size_t i) {
+        const SteadyPlace<double> place = place_of<Law>(scale, at(load, i), at(omega, i));
+        const PolarForce<double> f = polar_force_ratio<Law>(place.film(1));
+        return Vector2<double>(place.eccentricity_ratio, std::atan2(f.tangential, -f.radial));
+      });
+    });
+  });
+}

@@ -1,0 +1,88 @@
+/// Springs and moving loads of a system. A system without any has none of their code in its path.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lubjoint/multibody/moving_load.hpp"
+#include "lubjoint/multibody/spring.hpp"
+
+namespace lubjoint {
+
+/// Forces that depend on places, velocities and time, other than those of joints and constraints.
+template <class R>
+struct ForceElements {
+  std::vector<NamedSpring<R>> springs;  ///< in the scene's order
+  std::vector<MovingLoad<R>> loads;     ///< likewise
+
+  bool empty() const { return springs.empty() && loads.empty(); }  ///< is there none?
+  /// Does any spring have a damper?
+  bool has_dampers() const {
+    return std::any_of(springs.begin(), springs.end(), [](const auto& s) { return s.is_damped(); });
+  }
+
+  /// Adds all forces and moments about mass centres, g in coordinates.
+  /// @param frame  frame(body) is the frame of a body or of the ground
+  /// @throws SpringWithoutDirection
+  template <class T, class Time, class Frame>
+  void apply(const Time& t, const Frame& frame, std::vector<T>& forces) const {
+    const auto add = [&](std::size_t body, const Vector2<T>& force, const T& moment) {
+      if (body == ground_body) return;
+      forces[3 * body] += force.x();
+      forces[3 * body + 1] += force.y();
+      forces[3 * body + 2] += moment;
+    };
+    for (const NamedSpring<R>& each : springs) {
+      std::visit([&](const auto& s) { s.apply(frame(s.first_body()), frame(s.second_body()), add); }, each.spring);
+    }
+    for (const MovingLoad<R>& each : loads) {
+      std::visit(
+          [&](const auto& load) {
+            load.apply(frame(load.body()), t,
+                       [&](const Vector2<T>& force, const T& moment) { add(load.body(), force, moment); });
+          },
+          each);
+    }
+  }
+
+  /// Power of the loads [W].
+  template <class T, class Time, class Frame>
+  T load_power(const Time& t, const Frame& frame) const {
+    T power(0);
+    for (const MovingLoad<R>& each : loads) {
+      std::visit(
+          [&](const auto& load) {
+            const PlanarFrame<T>& body = frame(load.body());
+            load.apply(body, t, [&](const Vector2<T>& force, const T& moment) {
+              power += dot(force, body.velocity) + moment * body.spin;
+            });
+          },
+          each);
+    }
+    return power;
+  }
+
+  /// Elastic energy of the springs [J]. @throws SpringWithoutDirection
+  template <class T, class Frame>
+  T energy(const Frame& frame) const {
+    T sum(0);
+    for (const NamedSpring<R>& each : springs) {
+      sum += std::visit([&](const auto& s) { return s.energy(frame(s.first_body()), frame(s.second_body())); },
+                        each.spring);
+    }
+    return sum;
+  }
+
+  /// Power of the dampers, never positive [W]. @throws SpringWithoutDirection
+  template <class T, class Frame>
+  T damper_power(const Frame& frame) const {
+    T sum(0);
+    for (const NamedSpring<R>& each : springs) {
+      sum += std::visit([&](const auto& s) { return s.damper_power(frame(s.first_body()), frame(s.second_body())); },
+                        each.spring);
+    }
+    return sum;
+  }
+};
+
+}  // namespace lubjoint

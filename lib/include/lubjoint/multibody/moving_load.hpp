@@ -1,0 +1,72 @@
+/// Loads that change with time or with the body they act on. Constant ones through the mass centre are the body's own.
+#pragma once
+
+#include <variant>
+
+#include "lubjoint/multibody/constraint_row.hpp"
+
+namespace lubjoint {
+
+/// A force at a point fixed to a body, and a moment: constant, or A cos(ωt + ψ) with the given ones as amplitudes A.
+template <class R>
+struct PointLoad {
+  BodyPoint<R> at;       ///< where the force acts
+  Vector2<R> force;      ///< or its amplitude [N]
+  R moment;              ///< or its amplitude, counter-clockwise positive [N m]
+  bool turns_with_body;  ///< is the force given in the body's axes?
+  bool is_harmonic;      ///< else constant
+  R rate;                ///< ω [rad/s]
+  R phase;               ///< ψ [rad]
+
+  /// On another scalar.
+  template <class S>
+  PointLoad<S> cast() const {
+    return {
+        at.template cast<S>(), force.template cast<S>(), S(moment), turns_with_body, is_harmonic, S(rate), S(phase)};
+  }
+  std::size_t body() const { return at.body; }  ///< that it acts on
+
+  /// Adds force and moment about the mass centre: add(force, moment).
+  template <class T, class Time, class Add>
+  void apply(const PlanarFrame<T>& frame, const Time& t, const Add& add) const {
+    using std::cos;
+    const T share = is_harmonic ? T(cos(Time(rate * t + phase))) : T(1);
+    const Vector2<T> given = turns_with_body ? inertial_vector(frame, force) : Vector2<T>(T(force.x()), T(force.y()));
+    const Vector2<T> acting(T(share * given.x()), T(share * given.y()));
+    add(acting, T(share * moment + cross(inertial_vector(frame, at.point), acting)));
+  }
+};
+
+/// The unbalance U = m_u r of a body whose spin is held: U φ̇² along the body's axis turned by ψ, through the mass
+/// centre. A body whose mass centre lies U/m off its axis of rotation moves that axis in the same way: its mass
+/// centre's acceleration differs from the axis' by −(U/m) φ̇² along that direction.
+template <class R>
+struct Unbalance {
+  std::size_t number;  ///< of the body
+  R mass_radius;       ///< U [kg m]
+  R phase;             ///< ψ, from the body's x axis [rad]
+
+  /// On another scalar.
+  template <class S>
+  Unbalance<S> cast() const {
+    return {number, S(mass_radius), S(phase)};
+  }
+  std::size_t body() const { return number; }  ///< that it acts on
+
+  /// As that of a point load.
+  template <class T, class Time, class Add>
+  void apply(const PlanarFrame<T>& frame, const Time&, const Add& add) const {
+    using std::cos;
+    using std::sin;
+    const T size = mass_radius * frame.spin * frame.spin;
+    const Vector2<R> along(R(cos(phase)), R(sin(phase)));
+    const Vector2<T> n = inertial_vector(frame, along);
+    add(Vector2<T>(T(size * n.x()), T(size * n.y())), T(0));
+  }
+};
+
+/// Any of them.
+template <class R>
+using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>>;
+
+}  // namespace lubjoint

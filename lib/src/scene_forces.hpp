@@ -1,0 +1,19 @@
+/// Loads, springs and sensors of a scene file.
+#pragma once
+
+#include "lubjoint/scene/scene.hpp"
+#include "table_reader.hpp"
+
+namespace lubjoint {
+
+/// Where an anchor is at t = 0, inertial [m].
+Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene);
+
+/// @throws SceneError  as do all below
+SceneLoad read_load(TableReader table, const Scene& scene);
+/// A spring of a scene whose constraints are known.
+SceneSpring read_spring(TableReader table, const Scene& scene);
+/// A sensor of a scene whose constraints and springs are known.
+Sensor read_sensor(TableReader table, const Scene& scene);
+
+}  // namespace lubjoint

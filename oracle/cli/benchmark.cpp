@@ -1,0 +1,47 @@
+#include "oracle/results/benchmark.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "oracle/cli/command.hpp"
+#include "oracle/cli/name_option.hpp"
+
+namespace lubjoint::cli {
+
+void add_benchmark(CLI::App& app, Action& action) {
+  struct Options {
+    std::vector<std::string> names;
+    std::optional<double> rtol;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "benchmark",
+      "Mechanisms that others have published: difference from their numbers, run time, energy drift;\n"
+      "exit 1 if any disagrees");
+  command->add_option("names", options->names, "Problems; none: all of them");
+  command->add_option("--rtol", options->rtol, "Relative and absolute tolerance in place of the scenes'");
+  command->add_flag("--json", options->json, "One JSON array");
+  command->callback([options, &action] {
+    action = [options] {
+      const auto literature = reports::data_folder() / "literature" / "benchmarks.csv";
+      const auto scenes = reports::data_folder() / "scenes" / "benchmarks";
+      const std::vector<std::string> known = reports::benchmark_names(literature);
+      for (const std::string& name : options->names) require_name("the problem", name, known);
+      if (options->rtol) {
+        require_option("--rtol", *options->rtol, *options->rtol >= 1e-14 && *options->rtol < 1,
+                       "a number from 1e-14 to below 1");
+      }
+      std::vector<reports::BenchmarkRun> runs;
+      bool agree = true;
+      for (const std::string& name : options->names.empty() ? known : options->names) {
+        runs.push_back(reports::run_benchmark(name, literature, scenes, options->rtol));
+        agree = agree && runs.back().agrees();
+      }
+      std::cout << (options->json ? reports::benchmark_json(runs).dump(2) + "\n" : reports::benchmark_text(runs));
+      return agree ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace lubjoint::cli

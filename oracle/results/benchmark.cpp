@@ -1,0 +1,149 @@
+#include "oracle/results/benchmark.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "lubjoint/scene/trajectory_table.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+constexpr const char* residual_name = "energy_residual";
+
+CsvTable read_literature(const std::filesystem::path& file) { return {read_input(file.string()), file.string()}; }
+
+/// The rows of a problem, without what a run gives.
+std::vector<BenchmarkRow> published_rows(const std::string& name, const std::filesystem::path& file) {
+  const CsvTable table = read_literature(file);
+  const std::size_t problem = table.column("problem");
+  const std::size_t quantity = table.column("quantity");
+  const std::size_t t = table.column("t");
+  const std::size_t published = table.column("published");
+  const std::size_t allowed = table.column("allowed");
+  std::vector<BenchmarkRow> rows;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.field(i, problem) != name) continue;
+    rows.push_back({std::string(table.field(i, quantity)), table.number(i, t), table.number(i, published),
+                    table.number(i, allowed), std::nullopt});
+  }
+  return rows;
+}
+
+/// The value of a column at a time; none if no row has it.
+std::optional<double> value_at(const TrajectoryTable& table, const std::string& column, double t) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+  if (found == table.columns.end()) {
+    throw std::invalid_argument(fmt::format("the trajectory has no column \"{}\"; allowed is one of it", column));
+  }
+  const auto k = static_cast<std::size_t>(found - table.columns.begin());
+  for (const auto& row : table.rows) {
+    if (std::abs(*row[0] - t) <= 1e-12 * t) return row[k];  // rounding of i intervals
+  }
+  return std::nullopt;
+}
+
+std::string shown(const std::optional<double>& value, const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "-";
+}
+
+}  // namespace
+
+std::optional<double> BenchmarkRow::difference() const {
+  return computed ? std::optional<double>(*computed - published) : std::nullopt;
+}
+
+bool BenchmarkRow::agrees() const { return computed && std::abs(*computed - published) <= allowed; }
+
+bool BenchmarkRun::agrees() const {
+  return !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const BenchmarkRow& row) { return row.agrees(); });
+}
+
+std::vector<std::string> benchmark_names(const std::filesystem::path& literature) {
+  const CsvTable table = read_literature(literature);
+  const std::size_t problem = table.column("problem");
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const std::string name(table.field(i, problem));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+BenchmarkRun run_benchmark(const std::string& name, const std::filesystem::path& literature,
+                           const std::filesystem::path& scenes, const std::optional<double>& tolerance) {
+  Scene scene = load_scene(scenes / (name + ".toml"));
+  if (tolerance) scene.run.relative_tolerance = scene.run.absolute_tolerance = *tolerance;
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  BenchmarkRun result;
+  result.name = name;
+  result.integrator = run.outcome.integrator;
+  result.message = run.outcome.message;
+  result.rows = published_rows(name, literature);
+  result.seconds = run.wall_seconds;
+  result.steps = run.outcome.steps;
+  const double residual = run.energy_residual.value_or(0);
+  result.energy_drift = run.energy_scale > 0 ? residual / run.energy_scale : 0;
+  result.closure_drift = run.drift.position;
+  const TrajectoryTable table = trajectory_table(scene, run);
+  for (BenchmarkRow& row : result.rows) {
+    if (row.quantity != residual_name) {
+      row.computed = value_at(table, row.quantity, row.t);
+    } else if (run.outcome.status == RunStatus::finished) {
+      row.computed = run.energy_residual;
+    }
+  }
+  return result;
+}
+
+nlohmann::ordered_json benchmark_json(const std::vector<BenchmarkRun>& runs) {
+  using Json = nlohmann::ordered_json;
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  Json list = Json::array();
+  for (const BenchmarkRun& run : runs) {
+    for (const BenchmarkRow& row : run.rows) {
+      list.push_back({{"name", run.name},
+                      {"quantity", row.quantity},
+                      {"t", row.t},
+                      {"published", row.published},
+                      {"computed", or_null(row.computed)},
+                      {"difference", or_null(row.difference())},
+                      {"allowed", row.allowed},
+                      {"agrees", row.agrees()},
+                      {"seconds", run.seconds},
+                      {"integrator", run.integrator},
+                      {"energy_drift", run.energy_drift}});
+    }
+  }
+  return list;
+}
+
+std::string benchmark_text(const std::vector<BenchmarkRun>& runs) {
+  std::string text = fmt::format("{:<16} {:<16} {:>6} {:>20} {:>20} {:>10} {:>8}  agrees\n", "problem", "quantity",
+                                 "t [s]", "published", "computed", "difference", "allowed");
+  for (const BenchmarkRun& run : runs) {
+    for (const BenchmarkRow& row : run.rows) {
+      text += fmt::format("{:<16} {:<16} {:>6g} {:>20.15g} {:>20} {:>10} {:>8.1e}  {}\n", run.name, row.quantity, row.t,
+                          row.published, shown(row.computed, "{:.15g}"), shown(row.difference(), "{:.1e}"), row.allowed,
+                          row.agrees() ? "yes" : "no");
+    }
+  }
+  text += fmt::format("\n{:<16} {:<12} {:>8} {:>10} {:>13} {:>14}\n", "problem", "integrator", "steps", "time [s]",
+                      "energy drift", "closure drift");
+  for (const BenchmarkRun& run : runs) {
+    text += fmt::format("{:<16} {:<12} {:>8} {:>10.3f} {:>13.1e} {:>14.1e}\n", run.name, run.integrator, run.steps,
+                        run.seconds, run.energy_drift, run.closure_drift);
+    if (!run.message.empty()) text += "  " + run.message + "\n";
+  }
+  return text;
+}
+
+}  // namespace lubjoint::reports
