@@ -293,6 +293,7 @@ TEST_CASE("simulate: every scene that ships runs to its end") {
   const std::filesystem::path folder = std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data" / "scenes";
   std::size_t scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;  // the published problems have a folder, and numbers of their own
     INFO(entry.path().string());
     const ProgramResult result = lubjoint_program({"simulate", entry.path().string(), "--json"});
     CHECK(result.status == 0);

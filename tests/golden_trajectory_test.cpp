@@ -34,6 +34,7 @@ reports::CsvTable table(const std::string& name) {
 std::vector<std::filesystem::path> multibody_scenes() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(data / "scenes")) {
+    if (!entry.is_regular_file()) continue;  // the published problems have a folder, and numbers of their own
     if (!is_free_journal(load_scene(entry.path()))) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -37,7 +37,8 @@ std::string corrections(Scene scene) {
 
 TEST_CASE("warnings: none of the scenes that ship is warned of for units or corrections") {
   for (const char* folder : {"scenes", "examples"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(data + folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(data + folder)) {
+      if (!entry.is_regular_file()) continue;
       const Scene scene = load_scene(entry.path());
       INFO(entry.path());
       CHECK(joined(unit_warnings(scene)).empty());

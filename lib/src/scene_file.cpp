@@ -111,7 +111,9 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
   joint.film = table.text("film");
   const bool dry = joint.film == no_film;
   if (!dry && std::find(named_film_laws.begin(), named_film_laws.end(), joint.film) == named_film_laws.end()) {
-    table.refuse("film", in_quotes(joint.film), one_of(named_film_laws, joint.film) + ", or " + no_film);
+    std::vector<std::string_view> names(named_film_laws.begin(), named_film_laws.end());
+    names.push_back(no_film);
+    table.refuse("film", in_quotes(joint.film), one_of(names, joint.film));
   }
   // A dry joint may keep its oil and length: one word then changes it.
   joint.viscosity = dry ? table.number_or("viscosity", 0, Allowed::positive, "Pa s")

@@ -54,6 +54,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory&
   // What only mechanisms have is here, too: programs find the same keys in every summary.
   summary["driver"] = nullptr;
   summary["drivers"] = nlohmann::ordered_json::array();
+  summary["reactions"] = nlohmann::ordered_json::array();
   summary["energy_residual"] = nullptr;
   for (const char* key : {"energy_scale", "constraint_drift", "start_correction"}) summary[key] = nullptr;
   summary["contact_events"] = nlohmann::ordered_json::array();
