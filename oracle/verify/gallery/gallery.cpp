@@ -111,8 +111,9 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
   }
   // Of mistakes that do the same, the table's own is named first.
   if (is_table(quantities))
-    std::ranges::stable_partition(
-        list, [&](const Mistake* m) { return !is_about_inputs(*m) || !m->applies(Quantities::cartesian, law); });
+    std::stable_partition(list.begin(), list.end(), [&](const Mistake* m) {
+      return !is_about_inputs(*m) || !m->applies(Quantities::cartesian, law);
+    });
   return list;
 }
 

@@ -47,13 +47,13 @@ struct SceneUnbalance {
 
 /// A force on a body, and a moment: constant, unless it says otherwise.
 struct SceneLoad {
-  std::size_t body = 0;                     ///< its number in Scene::bodies
-  Vector2<double> force{0, 0};              ///< or its amplitude [N]
-  double moment = 0;                        ///< or its amplitude, counter-clockwise positive [N m]
-  Vector2<double> point{0, 0};              ///< where the force acts, from the mass centre in the body's axes [m]
-  bool turns_with_body = false;             ///< is the force given in the body's axes?
-  std::optional<SceneHarmonic> harmonic;    ///< none: constant
-  std::optional<SceneUnbalance> unbalance;  ///< in place of force and moment
+  std::size_t body = 0;                          ///< its number in Scene::bodies
+  Vector2<double> force{0, 0};                   ///< or its amplitude [N]
+  double moment = 0;                             ///< or its amplitude, counter-clockwise positive [N m]
+  Vector2<double> point{0, 0};                   ///< where the force acts, from the mass centre in the body's axes [m]
+  bool turns_with_body = false;                  ///< is the force given in the body's axes?
+  std::optional<SceneHarmonic> harmonic = {};    ///< none: constant
+  std::optional<SceneUnbalance> unbalance = {};  ///< in place of force and moment
 
   /// Is it constant, inertial and through the mass centre, whatever the motion?
   bool is_constant() const { return !turns_with_body && !harmonic && !unbalance && is_zero(point); }
