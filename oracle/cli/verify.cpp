@@ -170,7 +170,8 @@ void check(const VerifyOptions& o) {
 }
 
 /// Prints the report; the exit status says the verdict.
-int report(const verify::Verification& result, bool json) {
+template <class Result>
+int report(const Result& result, bool json) {
   if (json) {
     std::cout << verify::json_report(result).dump(2) << '\n';
   } else {
@@ -262,6 +263,26 @@ std::string answers_of_program(const VerifyOptions& o, const std::string& states
   return verify::run_program(o.program, states, limits);
 }
 
+/// Writes the states that --states-out asks for.
+int put_states(const VerifyOptions& o, const std::string& csv) {
+  if (o.states_out == "-") {
+    std::cout << csv;
+  } else {
+    reports::prepare_file(o.states_out);
+    reports::write_file(o.states_out, csv);
+  }
+  return 0;
+}
+
+/// The answers to be judged: those of --answers, or of the program.
+verify::Answers answers_to(const VerifyOptions& o, verify::Quantities quantities, const std::string& states,
+                           std::size_t count) {
+  const bool from_file = !o.answers.empty();
+  const std::string text = from_file ? reports::read_input(o.answers) : answers_of_program(o, states, count);
+  const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
+  return verify::read_answers(quantities, text, name, count);
+}
+
 /// A film of finite length: its states, its judge and its report are its own.
 int run_finite(const VerifyOptions& o) {
   for (const std::string& name : o.given) {
@@ -281,29 +302,12 @@ int run_finite(const VerifyOptions& o) {
   std::vector<verify::State> states = verify::finite_states(quantities);
   if (o.at_most) states = verify::covering_states(quantities, std::move(states), *o.at_most);
   const std::string csv = verify::states_csv(quantities, states);
-  if (!o.states_out.empty()) {
-    if (o.states_out == "-") {
-      std::cout << csv;
-    } else {
-      reports::prepare_file(o.states_out);
-      reports::write_file(o.states_out, csv);
-    }
-    return 0;
-  }
+  if (!o.states_out.empty()) return put_states(o, csv);
   try {
-    const bool from_file = !o.answers.empty();
-    const std::string text = from_file ? reports::read_input(o.answers) : answers_of_program(o, csv, states.size());
-    const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
-    verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
+    verify::Answers answers = answers_to(o, quantities, csv, states.size());
     const auto result = verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers),
                                                    o.tolerance.value_or(0), reports::available_cores());
-    if (o.json) {
-      std::cout << verify::json_report(result).dump(2) << '\n';
-    } else {
-      std::cout << verify::text_report(result);
-    }
-    if (result.accepted()) return 0;
-    return result.verdict == verify::Verdict::undecided ? 2 : 1;
+    return report(result, o.json);
   } catch (const verify::UnjudgedError& error) {
     return refuse(o, error);
   }
@@ -328,22 +332,10 @@ int run(const VerifyOptions& o) {
   if (!o.onset.empty()) throw std::invalid_argument("--onset does nothing without --law finite_reynolds");
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
   std::vector<verify::State> states = states_of(o, quantities);
-  if (!o.states_out.empty()) {
-    const std::string csv = verify::states_csv(quantities, states);
-    if (o.states_out == "-") {
-      std::cout << csv;
-    } else {
-      reports::prepare_file(o.states_out);
-      reports::write_file(o.states_out, csv);
-    }
-    return 0;
-  }
+  const std::string csv = verify::states_csv(quantities, states);
+  if (!o.states_out.empty()) return put_states(o, csv);
   try {
-    const bool from_file = !o.answers.empty();
-    const std::string text = from_file ? reports::read_input(o.answers)
-                                       : answers_of_program(o, verify::states_csv(quantities, states), states.size());
-    const std::string name = from_file ? reports::input_name(o.answers) : "answers of \"" + o.program[0] + "\"";
-    verify::Answers answers = verify::read_answers(quantities, text, name, states.size());
+    verify::Answers answers = answers_to(o, quantities, csv, states.size());
     verify::scale(answers, o.unit);
     const verify::VerifySettings settings{o.tolerance.value_or(0), verify::words(domain_of(o, quantities))};
     return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers), settings), o.json);
