@@ -331,8 +331,8 @@ TEST_CASE("finite films: a sweep over the length has a table for each point, mad
 
 TEST_CASE("finite films: a law that is far off names the compiled law as the remedy") {
   const ProgramResult off = lubjoint_program({"simulate", journal_scene_file, "--law", "short_half"});
-  CHECK_THAT(off.err,
-             Contains("short_half") && Contains("The law finite_reynolds is the film of the real length, compiled for this L/D."));
+  CHECK_THAT(off.err, Contains("short_half") &&
+                          Contains("The law finite_reynolds is the film of the real length, compiled for this L/D."));
   const ProgramResult near = lubjoint_program({"simulate", journal_scene_file, "--law", "finite_reynolds"});
   CHECK(near.status == 0);
   CHECK(near.err.find("real length") == std::string::npos);

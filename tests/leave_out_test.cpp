@@ -162,8 +162,9 @@ TEST_CASE("a run without a half film enters no function of its jump, one with en
 TEST_CASE("a run without springs, moving loads and sensors enters no function of them, one with enters all") {
   const std::string with = entered_by(LUBJOINT_SOURCE_DIR "/data/examples/lever.toml");
   const std::string without = entered_by(scenes + "slider-crank.toml");
-  for (const std::string name : {"apply_elements", "TranslationalSpring<double>::state", "RotationalSpring<double>::torque",
-                                 "PointLoad<double>::apply", "damper_power", "load_power", "read_sensors"}) {
+  for (const std::string name :
+       {"apply_elements", "TranslationalSpring<double>::state", "RotationalSpring<double>::torque",
+        "PointLoad<double>::apply", "damper_power", "load_power", "read_sensors"}) {
     INFO(name);
     CHECK(has(with, name));
     CHECK_FALSE(has(without, name));

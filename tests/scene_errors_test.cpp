@@ -163,11 +163,12 @@ TEST_CASE("Scene: an unknown key is refused, and the nearest known one named") {
 
 TEST_CASE("Scene: a law or an integrator that is not there is refused with the list and the nearest") {
   const std::size_t film = journal_text().field("joints[0].film").line;
-  check_refused(journal_text().with("joints[0].film", "\"short_hal\""), film,
-                {"\"short_hal\"; allowed is one of short_full, short_half, short_dynamic, long_full, long_half, "
-                 "long_half_eq5, long_dynamic, pinkus_sternlicht, squeeze_long_full, squeeze_short_full, squeeze_long, "
-                 "squeeze_short, moes_impedance, butenschoen, finite_full, finite_half, finite_dynamic, finite_reynolds, none; "
-                 "did you mean short_half?"});
+  check_refused(
+      journal_text().with("joints[0].film", "\"short_hal\""), film,
+      {"\"short_hal\"; allowed is one of short_full, short_half, short_dynamic, long_full, long_half, "
+       "long_half_eq5, long_dynamic, pinkus_sternlicht, squeeze_long_full, squeeze_short_full, squeeze_long, "
+       "squeeze_short, moes_impedance, butenschoen, finite_full, finite_half, finite_dynamic, finite_reynolds, none; "
+       "did you mean short_half?"});
   check_refused(journal_text().with("joints[0].film", "\"Short_Half\""), film, {"did you mean short_half?"});
   const std::size_t integrator = journal_text().field("integrator.name").line;
   check_refused(journal_text().with("integrator.name", "\"radau\""), integrator,
