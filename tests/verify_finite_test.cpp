@@ -165,6 +165,11 @@ TEST_CASE(
   CHECK_THAT(text_report(numerical), Contains("say --tolerance 1e-01"));
   CHECK(judged(claim, states, rough, 0.05).verdict == Verdict::agrees);
 
+  const Answers close = changed([](std::size_t i, Answer& f) { f[0] *= 1 + 3e-4 * std::sin(2.0 * double(i)); });
+  CHECK(judged(claim, states, close).verdict == Verdict::agrees);
+  CHECK_FALSE(judged(claim, states, close, 1e-5).accepted());  // a tolerance tighter than the default counts, too
+  CHECK(judged(claim, states, right, 1e-5).accepted());
+
   const auto one = judged(claim, states, changed([](std::size_t i, Answer& f) {
                             if (i == 41) f[1] = -f[1];
                           }));

@@ -22,6 +22,17 @@ struct FilmPlace {
 /// @param begin, end  θ of the film's ends, −π ≤ begin ≤ π, begin ≤ end ≤ 2π
 std::vector<FilmPlace> film_places(long double ratio, long double gap, long double begin, long double end);
 
+/// The integral of f(place) over a film.
+template <class Integrand>
+long double sum(const std::vector<FilmPlace>& film, const Integrand& f) {
+  long double total = 0;
+  for (const FilmPlace& at : film) total += at.weight * f(at);
+  return total;
+}
+
+/// x³, the thickness's power in every one of these integrals.
+inline long double cube(long double x) { return x * x * x; }
+
 /// The thickness at θ.
 long double film_thickness(long double ratio, long double gap, long double theta);
 

@@ -234,7 +234,7 @@ FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quant
   FiniteVerification v;
   v.claim = claim;
   v.quantities = quantities;
-  v.tolerance = std::max(tolerance, finite_tolerance);
+  v.tolerance = tolerance > 0 ? tolerance : finite_tolerance;
   v.states = std::move(states);
   v.answers = std::move(answers);
   v.comparisons = comparisons_of(claim, v, threads);

@@ -20,7 +20,7 @@ struct FiniteClaim {
   std::string words() const;                          ///< "finite_reynolds, free onset"
 };
 
-/// An error over |F| below this is right whatever the solver's own: programs of this kind are numerical.
+/// An error over |F| that is right unless another one is asked for: programs of this kind are numerical.
 inline constexpr double finite_tolerance = 1e-3;
 
 /// The states that a program of finite length is asked about: bearings of L/D ¼, ½, 1 and 2, ε from 0.1 to 0.9 in all
@@ -54,9 +54,9 @@ struct FiniteVerification {
 };
 
 /// Judges answers. A state is undecided where the solver's own bound is above the tolerance, and left out where it lies
-/// on the jump of finite_half, at a = 0. If answers are wrong, it
-/// is tried whether one factor makes all of them right, and whether another film does.
-/// @param tolerance  error over |F| that is right; at least finite_tolerance counts
+/// on the jump of finite_half, at a = 0. If answers are wrong, it is tried whether one factor makes all of them right,
+/// and whether another film does.
+/// @param tolerance  error over |F| that is right; 0: finite_tolerance
 /// @param threads  no result depends on them
 FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quantities, std::vector<State> states,
                                       Answers answers, double tolerance, unsigned threads);

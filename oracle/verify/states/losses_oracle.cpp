@@ -13,15 +13,6 @@ const Real half_turn = pi<Real>();
 
 using Places = std::vector<FilmPlace>;
 
-template <class F>
-Real sum(const Places& places, const F& f) {
-  Real total = 0;
-  for (const FilmPlace& at : places) total += at.weight * f(at);
-  return total;
-}
-
-Real cube(Real x) { return x * x * x; }
-
 /// θ of the film's ends.
 struct Ends {
   Real begin, end;

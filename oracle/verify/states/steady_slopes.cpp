@@ -11,16 +11,8 @@ namespace {
 
 const Real half_turn = pi<Real>();
 
-Real cube(Real x) { return x * x * x; }
-
-/// F_r and F_t of a film on 0…π or, if whole, on 0…2π where a = ε, b = 0; the squeeze's slopes are the law's own.
-SteadySlopes short_wedge(Real e, Real q, bool whole) {
-  const Real root = std::sqrt(q), q2 = q * q;
-  SteadySlopes s;
-  s.tangential_by_slip = half_turn / (4 * q * root);
-  s.tangential_by_ratio = 3 * half_turn * e * e / (4 * q2 * root);
-  s.radial_by_slip = -e / q2;
-  s.radial_by_ratio = -e * (1 + 3 * e * e) / (q2 * q);
+/// From the slopes of a film on 0…π: of one on 0…2π if whole, and the force, which is a times the slopes by a.
+SteadySlopes of_wedge(SteadySlopes s, Real e, bool whole) {
   if (whole) {
     s.tangential_by_slip *= 2;
     s.tangential_by_ratio *= 2;
@@ -31,6 +23,17 @@ SteadySlopes short_wedge(Real e, Real q, bool whole) {
   return s;
 }
 
+/// F_r and F_t of a film on 0…π or, if whole, on 0…2π where a = ε, b = 0; the squeeze's slopes are the law's own.
+SteadySlopes short_wedge(Real e, Real q, bool whole) {
+  const Real root = std::sqrt(q), q2 = q * q;
+  SteadySlopes s;
+  s.tangential_by_slip = half_turn / (4 * q * root);
+  s.tangential_by_ratio = 3 * half_turn * e * e / (4 * q2 * root);
+  s.radial_by_slip = -e / q2;
+  s.radial_by_ratio = -e * (1 + 3 * e * e) / (q2 * q);
+  return of_wedge(s, e, whole);
+}
+
 SteadySlopes long_wedge(Real e, Real q, bool whole) {
   const Real root = std::sqrt(q), d = 2 + e * e;
   SteadySlopes s;
@@ -38,14 +41,7 @@ SteadySlopes long_wedge(Real e, Real q, bool whole) {
   s.tangential_by_ratio = 6 * half_turn * e * e * (d - 2 * q) / (d * d * q * root);
   s.radial_by_slip = -12 * e / (d * q);
   s.radial_by_ratio = -12 * e * (d * q + 2 * e * e * (d - q)) / (d * d * q * q);
-  if (whole) {
-    s.tangential_by_slip *= 2;
-    s.tangential_by_ratio *= 2;
-    s.radial_by_slip = s.radial_by_ratio = 0;
-  }
-  s.radial = e * s.radial_by_slip;
-  s.tangential = e * s.tangential_by_slip;
-  return s;
+  return of_wedge(s, e, whole);
 }
 
 /// ∂_bF_r and ∂_bF_t over S.
@@ -73,13 +69,6 @@ void set_squeeze(Law law, Real e, Real q, SteadySlopes& s) {
 }
 
 using Places = std::vector<FilmPlace>;
-
-template <class F>
-Real sum(const Places& places, const F& f) {
-  Real total = 0;
-  for (const FilmPlace& at : places) total += at.weight * f(at);
-  return total;
-}
 
 SteadySlopes short_slopes(Real e, const Places& film) {
   const Real sc = sum(film, [](const FilmPlace& at) { return at.sine * at.cosine / cube(at.thickness); });
