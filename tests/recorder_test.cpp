@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
-#include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "lubjoint/motion/journal_recorder.hpp"
-#include "lubjoint/motion/multibody_recorder.hpp"
+#include "lubjoint/run/largest_value.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
@@ -34,32 +34,24 @@ RunSettings every(double interval) {
   return settings;
 }
 
-using Step = MultibodyStep<double>;
-
-std::shared_ptr<const Step> step_over(double from, double to) {
-  auto step = std::make_shared<Step>();
-  step->t_old = from;
-  step->t_new = to;
-  return step;
-}
-
-/// Peak that a tracker finds of f, looked at four times a step.
+/// Peak that is found of f, looked at four times a step.
 template <class F>
-Peak peak_of(const F& f, const std::vector<double>& steps) {
-  detail::PeakTracker<double> tracker;
+LargestValue<double> peak_of(const F& f, const std::vector<double>& steps) {
+  LargestValue<double> largest;
   for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
-    const auto step = step_over(steps[s], steps[s + 1]);
-    for (int i = 0; i <= 4; ++i) {
-      const double t = i == 4 ? step->t_new : step->t_old + (step->t_new - step->t_old) * i / 4;
-      tracker.consider(f(t), t, step, [&] { return f(t); });
-    }
+    const auto time_of = [&](std::size_t i) {
+      return i == 4 ? steps[s + 1] : steps[s] + (steps[s + 1] - steps[s]) * static_cast<double>(i) / 4;
+    };
+    std::vector<double> values;
+    for (std::size_t i = 0; i <= 4; ++i) values.push_back(f(time_of(i)));
+    const auto inside = [&](double t) {
+      CHECK(t >= steps[s]);
+      CHECK(t <= steps[s + 1]);
+      return f(t);
+    };
+    largest.look(values, time_of, inside, inside);
   }
-  const auto inside = [&](const Step& step, double t) {
-    CHECK(t >= step.t_old);
-    CHECK(t <= step.t_new);
-    return f(t);
-  };
-  return tracker.peak(4, inside, inside);
+  return largest;
 }
 
 }  // namespace
@@ -163,32 +155,42 @@ TEST_CASE("journal recorder: the state at the start counts") {
   CHECK(recorder.max_force() == Approx(10 - 40 * 0.09).epsilon(1e-15));
 }
 
-TEST_CASE("peaks of a mechanism: found inside a step, and where two steps meet on either side of them") {
+TEST_CASE("peaks: found inside a step, and where two steps meet on either side of them") {
   const auto around = [](double top) { return [top](double t) { return 5 - (t - top) * (t - top); }; };
   for (const double top : {0.31, 0.5, 0.49, 0.51, 0.07, 0.93}) {
     INFO("peak at " << top);
-    const Peak peak = peak_of(around(top), {0, 0.5, 1});
-    CHECK(peak.value == Approx(5).epsilon(1e-14));  // Brent's 26 bits, squared
-    CHECK(std::abs(peak.t - top) < 1e-6);           // those bits
+    const LargestValue<double> peak = peak_of(around(top), {0, 0.5, 1});
+    CHECK(peak.value() == Approx(5).epsilon(1e-14));  // Brent's 26 bits, squared
+    CHECK(std::abs(peak.t() - top) < 1e-6);           // those bits
   }
 }
 
-TEST_CASE("peaks of a mechanism: on a rise, the end; on a fall, the start; of a quantity below zero, too") {
+TEST_CASE("peaks: on a rise, the end; on a fall, the start; of a quantity below zero, too") {
   const auto rise = [](double t) { return 2 * t - 7; };
   const auto fall = [](double t) { return -2 * t - 7; };
-  CHECK(peak_of(rise, {0, 0.5, 1}).value == Approx(-5).epsilon(1e-7));  // Brent's bits
-  CHECK(peak_of(rise, {0, 0.5, 1}).t == Approx(1).epsilon(1e-7));
-  CHECK(peak_of(fall, {0, 0.5, 1}).value == Approx(-7).epsilon(1e-7));
-  CHECK(std::abs(peak_of(fall, {0, 0.5, 1}).t) < 1e-7);
+  CHECK(peak_of(rise, {0, 0.5, 1}).value() == -5);
+  CHECK(peak_of(rise, {0, 0.5, 1}).t() == 1);
+  CHECK(peak_of(fall, {0, 0.5, 1}).value() == -7);
+  CHECK(peak_of(fall, {0, 0.5, 1}).t() == 0);
 }
 
-TEST_CASE("peaks of a mechanism: what the interpolant shows and the method does not confirm is none") {
-  detail::PeakTracker<double> tracker;
-  const auto step = step_over(0, 1);
-  tracker.consider(1, 0.0, step, [] { return 1.0; });
-  tracker.consider(100, 0.5, step, [] { return 2.0; });
-  tracker.consider(3, 1.0, step, [] { return 3.0; });
-  const auto quantity = [](const Step&, double) { return 50.0; };
-  CHECK(tracker.peak(4, quantity, [](const Step&, double) { return 2.5; }).value == 3);
-  CHECK(detail::PeakTracker<double>().peak(4, quantity, quantity).value == 0);
+TEST_CASE("peaks: what the interpolant shows and the method does not confirm is none") {
+  const auto time_of = [](std::size_t i) { return 0.5 * static_cast<double>(i); };
+  const auto shown = [](double) { return 50.0; };
+  LargestValue<double> largest;
+  CHECK_FALSE(largest.is_known());
+  largest.look({1, 100, 3}, time_of, shown, [](double) { return 2.5; });
+  CHECK(largest.value() == 3);
+  CHECK(largest.t() == 1);
+  largest.look({1, 100, 3}, time_of, shown, [](double) { return 7.5; });
+  CHECK(largest.value() == 7.5);
+}
+
+TEST_CASE("peaks: where the interpolant leaves the film, the places that were looked at stand") {
+  const auto time_of = [](std::size_t i) { return 0.5 * static_cast<double>(i); };
+  const auto outside = [](double) -> double { throw std::domain_error("outside"); };
+  LargestValue<double> largest;
+  largest.look({1, 9, 3}, time_of, outside, [](double) { return 8.0; });
+  CHECK(largest.value() == 8);
+  CHECK(largest.t() == 0.5);
 }

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/motion/multibody_step.hpp"
 #include "lubjoint/motion/sensor_values.hpp"
+#include "lubjoint/run/largest_value.hpp"
 #include "lubjoint/run/outcome.hpp"
+#include "lubjoint/run/output_times.hpp"
 
 namespace lubjoint {
 
@@ -34,70 +34,6 @@ JointSample joint_sample(const JointElement<R>& joint, const JointForce<R>& forc
   return sample;
 }
 
-/// Keeps the largest value of one quantity, and the steps on both sides of it; the peak itself is searched at the end.
-template <class R>
-class PeakTracker {
- public:
-  /// @param confirm  the value by the method itself: in a thin film an interpolant can show a peak that is not there
-  template <class Confirm>
-  void consider(double value, const R& t, const std::shared_ptr<const MultibodyStep<R>>& step, const Confirm& confirm) {
-    if (at_step_end_ && step != step_) {
-      next_ = step;
-      at_step_end_ = false;
-    }
-    if (known_ && value <= value_) return;
-    if (t != step->t_new) {
-      value = confirm();
-      if (known_ && value <= value_) return;
-    }
-    known_ = true;
-    value_ = value;
-    t_ = t;
-    before_ = t == step->t_old && step_ && step_ != step && step_->t_new == step->t_old ? step_ : nullptr;
-    step_ = step;
-    next_ = nullptr;
-    at_step_end_ = t == step->t_new;
-  }
-
-  /// @param quantity  quantity(interpolant, t);  @param confirm  the same by the method itself
-  template <class Quantity, class Confirm>
-  Peak peak(std::size_t pieces, const Quantity& quantity, const Confirm& confirm) const {
-    if (!known_) return {0, 0};
-    Peak best{value_, static_cast<double>(t_)};
-    const auto search = [&](const MultibodyStep<R>& step) {
-      const R piece = (step.t_new - step.t_old) / static_cast<double>(pieces);
-      const double low = static_cast<double>(std::max<R>(step.t_old, t_ - piece) - step.t_old);
-      const double high = static_cast<double>(std::min<R>(step.t_new, t_ + piece) - step.t_old);
-      if (!(high > low)) return;
-      const auto found = boost::math::tools::brent_find_minima(
-          [&](double s) { return -quantity(step, R(step.t_old + R(s))); }, low, high, 30);
-      if (!(-found.second > best.value)) return;
-      const R at = step.t_old + R(found.first);
-      const double value = confirm(step, at);
-      if (value > best.value) best = {value, static_cast<double>(at)};
-    };
-    // Where the interpolant passes the wall or a singular position, the largest of the places that were looked at
-    // stands.
-    const auto search_in_film = [&](const MultibodyStep<R>& step) {
-      try {
-        search(step);
-      } catch (const std::domain_error&) {
-      }
-    };
-    if (before_) search_in_film(*before_);
-    search_in_film(*step_);
-    if (next_) search_in_film(*next_);
-    return best;
-  }
-
- private:
-  bool known_ = false;
-  double value_ = 0;
-  R t_{};
-  std::shared_ptr<const MultibodyStep<R>> before_, step_, next_;
-  bool at_step_end_ = false;
-};
-
 }  // namespace detail
 
 /// Samples at regular times, peaks inside the steps, drift and energy of a multibody run.
@@ -108,11 +44,7 @@ class MultibodyRecorder {
   /// @param sensors  what is measured beside bodies, joints and constraints; kept by reference
   MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces,
                     const std::vector<Sensor>& sensors)
-      : ode_(ode),
-        settings_(settings),
-        pieces_(pieces),
-        trackers_(2 * ode.system().joints().size()),
-        sensors_(sensors) {
+      : ode_(ode), outputs_(settings), pieces_(pieces), largest_(2 * ode.system().joints().size()), sensors_(sensors) {
     for (std::size_t c = 0; c < ode.system().constraints().size(); ++c) {
       const NamedConstraint<R>& constraint = ode.system().constraints()[c];
       if (constraint.is_driver()) {
@@ -124,17 +56,16 @@ class MultibodyRecorder {
         if (!pin) reactions_.push_back({c, true});
       }
     }
-    first_reaction_ = trackers_.size() + 2 * drivers_.size();
+    first_reaction_ = largest_.size() + 2 * drivers_.size();
     first_sensor_ = first_reaction_ + reactions_.size();
     for (const Sensor& sensor : sensors_) sensor_values_ += sensor_quantities(sensor).size();
-    trackers_.resize(first_sensor_ + 2 * sensor_values_);
-    values_.resize(trackers_.size());
+    largest_.resize(first_sensor_ + 2 * sensor_values_);
+    looks_.assign(largest_.size(), std::vector<double>(pieces_ + 1));
   }
 
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
-    next_ = 1;
     const MechanicalEnergy<R> energy = ode_.energy(y);
     start_energy_ = energy.kinetic + energy.potential;
   }
@@ -144,8 +75,7 @@ class MultibodyRecorder {
   template <class ByMethod>
   void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
     const std::size_t n = ode_.system().coordinates();
-    for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
-         t = output_time(++next_)) {
+    outputs_.up_to(static_cast<double>(step->t_new), [&](double t) {
       // The quintic's error in an explicit step of higher order may be a thousand tolerances, and so may that of a step
       // to an event.
       if (R(t) == step->t_new) {
@@ -156,45 +86,50 @@ class MultibodyRecorder {
         step->state_at(R(t), n, state_);
       }
       add_sample(R(t), state_, step->memory);
-    }
+    });
+    const auto time_of = [&](std::size_t i) {
+      const double share = static_cast<double>(i) / static_cast<double>(pieces_);
+      return i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
+    };
     for (std::size_t i = 0; i <= pieces_; ++i) {
-      const R t =
-          i == pieces_
-              ? step->t_new
-              : R(step->t_old + (step->t_new - step->t_old) * static_cast<double>(i) / static_cast<double>(pieces_));
       if (i == pieces_) {
         state_ = step->y_new;
       } else {
-        step->state_at(t, n, state_);
+        step->state_at(time_of(i), n, state_);
       }
-      const SystemWorkspace<R>& w = ode_.at(t, state_, step->memory);
+      const SystemWorkspace<R>& w = ode_.at(time_of(i), state_, step->memory);
       if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
-      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w, measured_);
+      for (std::size_t k = 0; k < largest_.size(); ++k) looks_[k][i] = quantity(k, w, measured_);
       if (i == pieces_) note_drift(w, step->y_new);
-      for (std::size_t k = 0; k < trackers_.size(); ++k) {
-        trackers_[k].consider(values_[k], t, step, [&] { return by(by_method, *step, t, k); });
-      }
+    }
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
+      largest_[k].look(
+          looks_[k], time_of,
+          [&](const R& t) {
+            step->state_at(t, n, state_);
+            return exactly(k, ode_.at(t, state_, step->memory));
+          },
+          [&](const R& t) { return by(by_method, *step, t, k); });
     }
   }
 
-  /// The last sample, and the peaks refined.
-  template <class ByMethod>
-  void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
+  /// The last sample, and what the peaks are of.
+  void finish(const R& t, const std::vector<R>& y) {
     if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
     std::size_t k = 0;
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
-      const Peak eccentricity = peak(k++, by_method);
-      const Peak force = peak(k++, by_method);
+      const Peak eccentricity = peak(k++);
+      const Peak force = peak(k++);
       joint_extremes_.push_back({eccentricity, force});
     }
     for (std::size_t d = 0; d < drivers_.size(); ++d) {
-      const Peak high = peak(k++, by_method);
-      Peak low = peak(k++, by_method);
+      const Peak high = peak(k++);
+      Peak low = peak(k++);
       low.value = -low.value;
       driver_extremes_.push_back({high, low});
     }
     for (const Reaction& reaction : reactions_) {
-      const Peak largest = peak(k++, by_method);
+      const Peak largest = peak(k++);
       if (reaction.of_moment) {
         reaction_extremes_.back().moment = largest;
       } else {
@@ -202,8 +137,8 @@ class MultibodyRecorder {
       }
     }
     for (std::size_t s = 0; s < sensor_values_; ++s) {
-      const Peak high = peak(k++, by_method);
-      Peak low = peak(k++, by_method);
+      const Peak high = peak(k++);
+      Peak low = peak(k++);
       low.value = -low.value;
       sensor_extremes_.push_back({high, low});
     }
@@ -230,18 +165,12 @@ class MultibodyRecorder {
     bool of_moment;
   };
 
-  /// i intervals; within rounding of the end it is the end.
-  double output_time(std::size_t i) const {
-    const double t = static_cast<double>(i) * settings_.output_interval;
-    return t >= settings_.duration * (1 - 4 * std::numeric_limits<double>::epsilon()) ? settings_.duration : t;
-  }
-
   double moment(const SystemWorkspace<R>& w, std::size_t driver) const {
     return static_cast<double>(ode_.system().reaction_on_second(driver, w)[2]);
   }
 
-  /// What tracker k follows: |e| and |F| of each joint, then the moment of each driver and its opposite, then the
-  /// reactions, then each value of the sensors and its opposite.
+  /// What number k of the peaks is of: |e| and |F| of each joint, then the moment of each driver and its opposite, then
+  /// the reactions, then each value of the sensors and its opposite.
   double quantity(std::size_t k, const SystemWorkspace<R>& w, const std::vector<double>& measured) const {
     if (k >= first_sensor_) {
       const double value = measured[(k - first_sensor_) / 2];
@@ -264,13 +193,13 @@ class MultibodyRecorder {
                               : static_cast<double>(at_joint.force.norm());
   }
 
+  /// By the method's own steps, which are none of the run's cost. Quantities often peak together.
   template <class ByMethod>
   double by(const ByMethod& by_method, const MultibodyStep<R>& step, const R& t, std::size_t k) {
-    const bool of_run = k < first_reaction_;  // reactions and sensors often peak together, and are none of its cost
-    if (of_run || t != exact_t_ || step.t_old != exact_from_) {
+    if (t != exact_t_ || step.t_old != exact_from_) {
       const std::size_t counted = ode_.evaluations();
       by_method(step, t, exact_);
-      if (!of_run) ode_.count_from(counted);
+      ode_.count_from(counted);
       exact_t_ = t;
       exact_from_ = step.t_old;
     }
@@ -283,16 +212,7 @@ class MultibodyRecorder {
     return quantity(k, w, exactly_measured_);
   }
 
-  template <class ByMethod>
-  Peak peak(std::size_t k, const ByMethod& by_method) {
-    return trackers_[k].peak(
-        pieces_,
-        [&](const MultibodyStep<R>& step, const R& t) {
-          step.state_at(t, ode_.system().coordinates(), state_);
-          return exactly(k, ode_.at(t, state_, step.memory));
-        },
-        [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
-  }
+  Peak peak(std::size_t k) const { return {largest_[k].value(), static_cast<double>(largest_[k].t())}; }
 
   void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
     const SystemWorkspace<R>& w = ode_.at(t, y, memory);
@@ -332,20 +252,20 @@ class MultibodyRecorder {
   }
 
   MultibodyOde<R>& ode_;
-  RunSettings settings_;
+  OutputTimes outputs_;
   std::size_t pieces_;
-  std::vector<detail::PeakTracker<R>> trackers_;
+  std::vector<LargestValue<R>> largest_;
+  std::vector<std::vector<double>> looks_;  ///< of each of them, at the places of a step that are looked at
   std::vector<std::size_t> drivers_;
   std::vector<Reaction> reactions_;
   const std::vector<Sensor>& sensors_;
-  std::size_t first_reaction_ = 0;  ///< its tracker
+  std::size_t first_reaction_ = 0;  ///< its number among the peaks
   std::size_t first_sensor_ = 0;    ///< likewise
   std::size_t sensor_values_ = 0;   ///< of all sensors together
-  std::size_t next_ = 0;
   std::vector<MultibodySample> samples_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};  ///< of exact_: its time, and where its step begins
-  std::vector<double> values_, measured_, exactly_measured_;
+  std::vector<double> measured_, exactly_measured_;
   std::vector<JointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;
   std::vector<ReactionExtremes> reaction_extremes_;

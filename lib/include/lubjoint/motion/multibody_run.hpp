@@ -93,7 +93,7 @@ class MultibodyRun {
     if (result.end == RunEnd::duration_reached && stops_at(watch_.finish(by_method()))) result.end = RunEnd::refused;
     if (result.end != RunEnd::duration_reached) stop(result);
     pieces_.finish(t_);
-    recorder_.finish(t_, y_, by_method());
+    recorder_.finish(t_, y_);
     outcome_.t_end = static_cast<double>(t_);
     outcome_.rhs_evaluations = ode_.evaluations();
     outcome_.jacobian_evaluations = method_->counts().jacobians;
