@@ -23,9 +23,11 @@ MultibodyOptions options_of(const Scene& scene) {
 }
 
 /// Every state by its own absolute tolerance: a coordinate of 0.1 m says nothing of the clearance that is at stake.
+/// @param integrals  the last states, a ledger's work: they change no step
 std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& name, const RunSettings& run,
-                                                             const std::vector<double>& tolerances) {
-  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
+                                                             const std::vector<double>& tolerances,
+                                                             std::size_t integrals) {
+  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance, integrals});
 }
 
 /// The joints' memories along a run that is over: the equations keep those of its end.
@@ -51,7 +53,7 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances<double>(pilot_scene);
   MultibodyOde<double> ode(prepared.system, false);
-  MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances),
+  MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances, 0),
                              upkeep_of(scene), {{}, options_of(scene).at_singular});
   const RunOutcome outcome = pilot.run(prepared.start);
   detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0,
@@ -81,7 +83,9 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
     choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
-  MultibodyRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
+  const std::size_t integrals = ode.dimension() - ode.mechanical_states();
+  MultibodyRun<double> run(ode, scene.run,
+                           method_of(choice.name, scene.run, scene_tolerances<double>(scene), integrals),
                            upkeep_of(scene), options_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();

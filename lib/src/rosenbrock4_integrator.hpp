@@ -42,7 +42,10 @@ class Rosenbrock4Integrator final : public Integrator<double, N> {
     return false;
   }
   void reset() override {
-    stepper_ = std::make_unique<Rosenbrock4>(work_.size(), tolerance_.nominal, tolerance_.relative);
+    // Its norm is a mean over all states; integrals count in it with an error of 0.
+    const double share =
+        std::sqrt(static_cast<double>(tolerance_.controlled()) / static_cast<double>(tolerance_.absolute.size()));
+    stepper_ = std::make_unique<Rosenbrock4>(work_.size(), share * tolerance_.nominal, share * tolerance_.relative);
   }
   void replace_state(const State&) override {}  // it remembers no state, only step lengths and errors
   std::unique_ptr<Integrator<double, N>> fresh() const override {

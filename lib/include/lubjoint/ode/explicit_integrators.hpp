@@ -24,7 +24,7 @@ class ComponentErrorChecker {
   R error(Algebra&, const State& y, const Rate&, Error& y_error, Time) const {
     using std::abs;
     R largest(0);
-    for (std::size_t i = 0; i < y.size(); ++i) {
+    for (std::size_t i = 0; i < tolerance_.controlled(); ++i) {
       const R each = abs(y_error[i]) / (tolerance_.absolute[i] + tolerance_.relative * abs(y[i]));
       if (!(each < R(1e10))) return R(1e10);
       largest = std::max<R>(largest, each);

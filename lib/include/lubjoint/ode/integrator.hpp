@@ -51,6 +51,11 @@ struct StepTolerance {
   StateOf<R, N> absolute;  ///< one for each state, in its own unit
   /// What an integrator that scales its own work by a tolerance (Radau's τ) takes for it.
   R nominal;
+  /// How many of the last states are integrals that nothing depends on: they control no step, so that the others are
+  /// the same without them.
+  std::size_t integrals = 0;
+
+  std::size_t controlled() const { return absolute.size() - integrals; }  ///< number of the states that do
 };
 
 /// One integrator with its memory of the steps so far.

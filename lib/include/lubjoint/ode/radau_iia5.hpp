@@ -47,8 +47,10 @@ class RadauIIA5 {
   static constexpr order_type order() { return 5; }  ///< of the solution
 
   /// @param absolute_tolerance  one for each state, in the state's own unit
-  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance)
-      : absolute_(absolute_tolerance), solver_(size()) {
+  /// @param integrals  how many of the last states are integrals that nothing depends on: they control no step.
+  ///                   None where N is given
+  RadauIIA5(const R& relative_tolerance, const state_type& absolute_tolerance, std::size_t integrals = 0)
+      : absolute_(absolute_tolerance), controlled_(static_cast<Index>(absolute_.size() - integrals)), solver_(size()) {
     using std::pow;
     if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
       throw std::invalid_argument("relative tolerance of radau_iia5: allowed is a number in (0, 1)");
@@ -206,7 +208,15 @@ class RadauIIA5 {
     }
   }
 
-  R square_scaled(const Vector& v) const { return v.cwiseQuotient(scale_).squaredNorm(); }
+  Index controlled() const { return N == run_time_size ? controlled_ : size(); }
+
+  R square_scaled(const Vector& v) const {
+    if constexpr (N == run_time_size) {
+      return v.head(controlled_).cwiseQuotient(scale_.head(controlled_)).squaredNorm();
+    } else {
+      return v.cwiseQuotient(scale_).squaredNorm();
+    }
+  }
 
   boost::numeric::odeint::controlled_step_result fail(R& dt, const R& factor) {
     dt *= factor;
@@ -266,7 +276,7 @@ class RadauIIA5 {
         w_[i] += change_[i];
         square += square_scaled(change_[i]);
       }
-      const R change = sqrt(square / static_cast<R>(3 * size()));
+      const R change = sqrt(square / static_cast<R>(3 * controlled()));
       if (!std::isfinite(static_cast<double>(change))) return false;
       combine(tab.t, w_, z_);
       if (iterations_ > 1) {
@@ -310,7 +320,7 @@ class RadauIIA5 {
     right_ = f_ + combination;
     const auto norm = [this] {
       solver_.solve(right_, solution_);
-      return R(sqrt(square_scaled(solution_) / static_cast<R>(size())));
+      return R(sqrt(square_scaled(solution_) / static_cast<R>(controlled())));
     };
     R estimated = norm();
     if (estimated >= 1 && (first_step_ || last_failed_)) {
@@ -368,6 +378,7 @@ class RadauIIA5 {
   R relative_ = 0;
   R relative_part_ = 0;  ///< of it, what the size of a state adds to its tolerance
   state_type absolute_{};
+  Index controlled_;  ///< number of states that control the steps
   R newton_tolerance_ = 0;
 
   bool started_ = false;

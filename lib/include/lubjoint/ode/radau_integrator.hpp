@@ -15,7 +15,7 @@ class RadauIntegrator final : public Integrator<R, N> {
 
   /// A stepper without memory.
   explicit RadauIntegrator(const StepTolerance<R, N>& tolerance)
-      : tolerance_(tolerance), stepper_(tolerance.nominal, tolerance.absolute) {
+      : tolerance_(tolerance), stepper_(tolerance.nominal, tolerance.absolute, tolerance.integrals) {
     if (tolerance.relative == 0) stepper_.use_absolute_tolerance_only();
   }
 

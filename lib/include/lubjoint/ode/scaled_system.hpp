@@ -6,7 +6,7 @@
 namespace lubjoint {
 
 /// States z_i = y_i / s_i, s_i = absolute_i / nominal: an absolute tolerance `nominal` on every z_i is absolute_i on
-/// y_i.
+/// y_i. Integrals that control no step are in units in which they are next to nothing.
 template <class R, std::size_t N>
 class ScaledSystem {
  public:
@@ -16,6 +16,7 @@ class ScaledSystem {
   /// Takes the scales from the tolerances.
   explicit ScaledSystem(const StepTolerance<R, N>& tolerance) : scale_(tolerance.absolute), y_(scale_), rate_(scale_) {
     for (R& s : scale_) s /= tolerance.nominal;
+    for (std::size_t i = tolerance.controlled(); i < scale_.size(); ++i) scale_[i] *= R(beyond_control);
   }
 
   /// z of a state.
@@ -40,6 +41,9 @@ class ScaledSystem {
   const State& scales() const { return scale_; }  ///< s
 
  private:
+  /// In units so large no error of an integral counts.
+  static constexpr double beyond_control = 1e30;
+
   State scale_;
   State y_, rate_;
 };
