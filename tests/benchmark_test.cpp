@@ -183,7 +183,8 @@ TEST_CASE("singular positions: a run that passes them says so, at every toleranc
       ++finished;
       CHECK(run.passed.size() == 3);  // bars aligned at 0.714, 1.228 and 2.657 s
       CHECK(std::abs(run.passed.front().t - 0.714355) < 1e-5);
-      CHECK(std::abs(run.samples.back().sensors[0] + 0.549340) < 2e-5);  // a coarse run's own error
+      // The run's own error, of each position that it passes, beside what six printed digits leave.
+      CHECK(std::abs(run.samples.back().sensors[0] + 0.549340) < 40 * tolerance + 1e-6);
     }
   }
   CHECK(finished >= 4);

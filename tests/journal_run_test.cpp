@@ -101,6 +101,14 @@ TEST_CASE("a half film that leaves its jump and meets it again within one step d
   }
 }
 
+TEST_CASE("a half film that a loose step brings beyond its jump is on the side on which it is") {
+  RunSettings settings = one_second();
+  settings.duration = 0.1;
+  settings.relative_tolerance = settings.absolute_tolerance = 0.1;
+  const auto loose = run_journal(journal_of_table_1<LongHalfEq5>(), settings, "bulirsch_stoer");
+  CHECK(loose.outcome.status == RunStatus::finished);
+}
+
 TEST_CASE("near the wall no half film is said to stop for its jump: it is the thin film that stops it") {
   RunSettings settings = one_second();
   settings.relative_tolerance = settings.absolute_tolerance = 1e-6;

@@ -24,12 +24,12 @@ std::string whole_number(const std::string& given) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, Action& action) {
-  struct Options {
+  struct AccuracyOptions {
     std::optional<std::string> out;
     std::size_t directions = 400;
     std::uint64_t seed = 1;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AccuracyOptions>();
   CLI::App* command =
       app.add_subcommand("accuracy", "Rounding errors of every law by eccentricity ratio, against 100 digits");
   command->add_option("--out", options->out, "CSV file to write, all rows");

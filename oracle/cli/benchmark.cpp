@@ -9,12 +9,12 @@
 namespace lubjoint::cli {
 
 void add_benchmark(CLI::App& app, Action& action) {
-  struct Options {
+  struct BenchmarkOptions {
     std::vector<std::string> names;
     std::optional<double> rtol;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchmarkOptions>();
   CLI::App* command = app.add_subcommand(
       "benchmark",
       "Mechanisms that others have published: difference from their numbers, run time, energy drift;\n"

@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<reports::CoefficientRow>;
 
-struct Options : BearingOptions {
+struct CoefficientsOptions : BearingOptions {
   std::string law;
   std::optional<std::string> states;
   std::optional<std::string> speeds;
@@ -26,7 +26,7 @@ struct Options : BearingOptions {
   bool dimensionless = false;
 };
 
-Rows of_states(const Options& options, const reports::FilmInBearing& film) {
+Rows of_states(const CoefficientsOptions& options, const reports::FilmInBearing& film) {
   if (options.load) throw std::invalid_argument("--load has no effect beside --states; allowed is one of them");
   if (!options.omega) throw std::invalid_argument("--omega is missing; required with --states is a spin [rad/s]");
   require_option("--omega", *options.omega, *options.omega != 0, "a finite spin other than 0 [rad/s]");
@@ -43,7 +43,7 @@ Rows of_states(const Options& options, const reports::FilmInBearing& film) {
   return rows;
 }
 
-Rows of_speeds(const Options& options, const reports::FilmInBearing& film) {
+Rows of_speeds(const CoefficientsOptions& options, const reports::FilmInBearing& film) {
   if (options.omega) throw std::invalid_argument("--omega has no effect beside --speeds; allowed is one of them");
   if (!options.load) throw std::invalid_argument("--load is missing; required with --speeds is a load [N]");
   require_option("--load", *options.load, *options.load > 0, "a finite number above 0 [N]");
@@ -74,7 +74,7 @@ int compare(const Rows& rows) {
 }  // namespace
 
 void add_coefficients(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CoefficientsOptions>();
   CLI::App* command = app.add_subcommand(
       "coefficients", "Stiffness, damping, critical mass and whirl ratio of a journal at rest on its film, as CSV");
   command->add_option("--law", options->law, "Film law")->required();

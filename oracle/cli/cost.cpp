@@ -9,12 +9,12 @@
 namespace lubjoint::cli {
 
 void add_cost(CLI::App& app, Action& action) {
-  struct Options : SceneOptions {
+  struct CostOptions : SceneOptions {
     bool chain = false;
     bool json = false;
     std::size_t rounds = 51;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CostOptions>();
   CLI::App* command = app.add_subcommand("cost", words_of("cost"));
   CLI::Option* file = command->add_option("scene", options->file, "Scene file (TOML)");
   options->add_law(*command);

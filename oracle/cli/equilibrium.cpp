@@ -8,10 +8,10 @@
 namespace lubjoint::cli {
 
 void add_equilibrium(CLI::App& app, Action& action) {
-  struct Options : SceneOptions {
+  struct EquilibriumOptions : SceneOptions {
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EquilibriumOptions>();
   CLI::App* command =
       app.add_subcommand("equilibrium", "Steady state of a journal, its stiffness, damping and eigenvalues");
   options->add_file(*command);

@@ -78,10 +78,10 @@ void answer_with_compiled_law(const std::string& name, const std::string& states
 }  // namespace
 
 void add_force(CLI::App& app, Action& action) {
-  struct Options : BearingOptions, StatesOption {
+  struct ForceOptions : BearingOptions, StatesOption {
     std::string law;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ForceOptions>();
   CLI::App* command = app.add_subcommand("force", "Film force of a law at given states, CSV in and out");
   command->add_option("--law", options->law, "Film law")->required();
   options->add_states(*command);

@@ -8,12 +8,12 @@
 namespace lubjoint::cli {
 
 void add_losses(CLI::App& app, Action& action) {
-  struct Options : BearingOptions {
+  struct LossesOptions : BearingOptions {
     std::string law;
     std::string states;
     std::string shear = "film";
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LossesOptions>();
   CLI::App* command =
       app.add_subcommand("losses", "Friction torques, power and side flow of a film at given motions, CSV in and out");
   command->add_option("--law", options->law, "Film law")->required();

@@ -8,11 +8,11 @@
 namespace lubjoint::cli {
 
 void add_mobility(CLI::App& app, Action& action) {
-  struct Options : BearingOptions {
+  struct MobilityOptions : BearingOptions {
     std::string law;
     std::string states;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MobilityOptions>();
   CLI::App* command = app.add_subcommand(
       "mobility", "Pure-squeeze velocities at which a film carries given forces, CSV in and out: the inverse of force");
   command->add_option("--law", options->law, "Film law")->required();

@@ -12,7 +12,7 @@ namespace lubjoint::cli {
 
 namespace {
 
-struct Options {
+struct ModelErrorOptions {
   std::optional<std::string> scene;
   std::optional<double> length;
   std::optional<double> radius;
@@ -31,7 +31,7 @@ struct Question {
   double spin_sum = 0;
 };
 
-Question question_of(const Options& options) {
+Question question_of(const ModelErrorOptions& options) {
   if (options.scene) {
     if (options.length || options.radius || options.clearance || options.viscosity || options.load || options.spin) {
       throw std::invalid_argument(
@@ -67,7 +67,7 @@ Question question_of(const Options& options) {
 }  // namespace
 
 void add_model_error(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModelErrorOptions>();
   CLI::App* command =
       app.add_subcommand("model-error", "Each law against the film of finite length, for a scene's or a given bearing");
   command->add_option("scene", options->scene, "Scene file (TOML)");

@@ -176,7 +176,7 @@ void add_oracle_force(CLI::App& parent, Action& action) {
 }
 
 void add_oracle_pressure(CLI::App& parent, Action& action) {
-  struct Options : FilmOptions {
+  struct OracleOptions : FilmOptions {
     double ratio = 0;
     double slip = 0;
     double squeeze = 0;
@@ -184,7 +184,7 @@ void add_oracle_pressure(CLI::App& parent, Action& action) {
     int stations = 21;
     std::optional<std::string> out;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<OracleOptions>();
   CLI::App* command = parent.add_subcommand("pressure", "Pressure field of one state as CSV theta,z,pressure");
   command->add_option("--eccentricity-ratio", options->ratio, "In [0, 1)")->required();
   command->add_option("--slip-rate", options->slip, "a [1/s]")->required();

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace page = reports::page;
 
-struct Options {
+struct ReproduceOptions {
   std::string out = "out/reproduce";
   std::string scenes = scenes_folder();
   std::optional<std::string> data;
@@ -47,7 +47,7 @@ void read_data(const fs::path& folder, page::Content& content) {
   if (stressed) content.stability = page::read_stability(reports::read_input(stability.string()), stability.string());
 }
 
-int reproduce(const Options& options) {
+int reproduce(const ReproduceOptions& options) {
   const Scene scene = load_scene(fs::path(options.scenes) / "journal.toml");
   journal_scene(scene);  // refuses what is no journal before a folder is made
   page::Content content;
@@ -84,7 +84,7 @@ int reproduce(const Options& options) {
 }  // namespace
 
 void add_reproduce(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproduceOptions>();
   CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; report.html");
   command->add_option("--out", options->out, "Folder for report.html, CSV files and plots")->capture_default_str();
   command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");

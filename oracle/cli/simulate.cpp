@@ -108,8 +108,8 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  struct Options : SceneOptions, LateOptions, Output {};
-  auto options = std::make_shared<Options>();
+  struct SimulateOptions : SceneOptions, LateOptions, Output {};
+  auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Run one scene: trajectory as CSV, and a summary");
   options->add_file(*command);
   options->add_law(*command);

@@ -16,7 +16,7 @@ namespace lubjoint::cli {
 
 namespace {
 
-struct Options {
+struct StabilityOptions {
   std::optional<std::string> scene;
   std::optional<std::string> law;
   std::optional<double> viscosity, length, radius, clearance, load, omega, mass;
@@ -31,7 +31,7 @@ double required(const std::string& name, const std::optional<double>& given, con
   return *given;
 }
 
-reports::RotorQuestion of_scene(const Options& options) {
+reports::RotorQuestion of_scene(const StabilityOptions& options) {
   const std::optional<double> numbers[] = {options.viscosity, options.length, options.radius, options.clearance,
                                            options.load,      options.omega,  options.mass};
   if (std::any_of(std::begin(numbers), std::end(numbers), [](const auto& given) { return given.has_value(); })) {
@@ -56,7 +56,7 @@ reports::RotorQuestion of_scene(const Options& options) {
   return {{scene.joints.front().film, parts.bearing, parts.oil, parts.table}, load, parts.drive.journal_spin, mass};
 }
 
-reports::RotorQuestion of_numbers(const Options& options) {
+reports::RotorQuestion of_numbers(const StabilityOptions& options) {
   if (!options.law) throw std::invalid_argument("--law is missing; required is a scene, or --law and a bearing");
   const double length = required("--length", options.length, "m");
   const double radius = required("--radius", options.radius, "m");
@@ -79,7 +79,7 @@ std::vector<double> positive_range(const std::string& option, const std::string&
   return values;
 }
 
-std::optional<reports::StabilityMap> map_of(const Options& options) {
+std::optional<reports::StabilityMap> map_of(const StabilityOptions& options) {
   if (!options.out) {
     if (options.speeds || options.loads || options.masses) {
       throw std::invalid_argument("--speeds, --loads and --masses have no effect without --out; required is a folder");
@@ -103,7 +103,7 @@ std::optional<reports::StabilityMap> map_of(const Options& options) {
 }  // namespace
 
 void add_stability(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = app.add_subcommand(
       "stability", "Critical mass and speed of a rigid rotor on its film, and maps of its stability");
   command->add_option("scene", options->scene, "Scene file of a journal in a bearing (TOML), or a bearing by options");

@@ -24,7 +24,7 @@ using reports::SweepGrid;
 using reports::SweepStore;
 using reports::SweptKey;
 
-struct Options : SceneOptions, LateOptions {
+struct SweepOptions : SceneOptions, LateOptions {
   std::vector<std::string> vary;
   std::optional<std::string> shard;
   std::optional<std::string> out;
@@ -47,8 +47,8 @@ Shard read_shard(const std::string& text) {
   return shard;
 }
 
-/// Options and keys that set the same thing.
-void require_apart(const Options& options, const SweptKey& swept) {
+/// SweepOptions and keys that set the same thing.
+void require_apart(const SweepOptions& options, const SweptKey& swept) {
   const std::string& key = swept.key;
   const auto refuse = [&](bool given, const char* option, bool same) {
     if (given && same) {
@@ -62,7 +62,7 @@ void require_apart(const Options& options, const SweptKey& swept) {
   refuse(options.duration.has_value(), "--duration", key == "duration");
 }
 
-Sweep make_sweep(const Options& options) {
+Sweep make_sweep(const SweepOptions& options) {
   options.SceneOptions::require();
   options.LateOptions::require();
   SceneFile file(options.file);
@@ -79,7 +79,7 @@ Sweep make_sweep(const Options& options) {
       std::move(file), SweepGrid(std::move(keys)), [options](Scene& scene) { options.change(scene); }, std::move(late));
 }
 
-reports::SweepIdentity identity(const Options& options, const Sweep& sweep) {
+reports::SweepIdentity identity(const SweepOptions& options, const Sweep& sweep) {
   std::string grid;
   for (const SweptKey& swept : sweep.grid().keys()) {
     grid += swept.key + "=";
@@ -152,7 +152,7 @@ Result already_merged(const Sweep& sweep, const std::filesystem::path& csv) {
   return result;
 }
 
-Result run_in_folder(const Options& options, const Sweep& sweep, const Shard& shard, unsigned threads) {
+Result run_in_folder(const SweepOptions& options, const Sweep& sweep, const Shard& shard, unsigned threads) {
   const std::string stem = sweep.scene_name() + "-sweep";
   const std::filesystem::path folder = *options.out;
   const std::filesystem::path csv = folder / (stem + ".csv");
@@ -188,7 +188,7 @@ Result run_in_folder(const Options& options, const Sweep& sweep, const Shard& sh
 }  // namespace
 
 void add_sweep(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   CLI::App* command = app.add_subcommand("sweep", "A scene at every combination of some values: one row each");
   options->add_file(*command);
   command

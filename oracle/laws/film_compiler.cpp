@@ -90,14 +90,14 @@ constexpr double cavitated_tolerance = 1e-4;
 constexpr double cavitated_check_tolerance = 2e-5;
 
 /// Where a table is held against the solver.
-struct Check {
+struct TableCheck {
   int states;
   double ratio_limit;
 };
 /// Of the statement over the worst state seen: among 10,000 states the worst was up to 3.8 times that.
 constexpr double safety = 5;
-constexpr Check smooth_check{100, 0.99};
-constexpr Check cavitated_check{48, 0.95};
+constexpr TableCheck smooth_check{100, 0.99};
+constexpr TableCheck cavitated_check{48, 0.95};
 
 Eigen::Vector2d wedge_or_squeeze(FilmExtent extent, double v, bool wedge, double shape) {
   const double q = v * v * v * v;
@@ -145,7 +145,7 @@ void compile_half(CompiledFilm& film, Work& work) {
 /// A state at a place of the two-variable tables, and the law's coordinates there.
 struct TablePlace {
   State state;
-  detail::FilmPlace<double> place;
+  lubjoint::detail::FilmPlace<double> place;
 
   TablePlace(double t, double r) : state(state_at(t, r)), place(x(state), y(state), state.q) {}
 
@@ -213,7 +213,7 @@ ScaledForce check_solution(const ScaledFilm& state) {
 }
 
 template <class Law>
-void state_error(CompiledFilm& film, Work& work, const Check& check) {
+void state_error(CompiledFilm& film, Work& work, const TableCheck& check) {
   film.ratio_limit = check.ratio_limit;
   const Law law(film);
   std::mt19937_64 random(20240607);
@@ -253,7 +253,7 @@ CompiledFilm compile_film(std::string_view name, double shape, const CompilerOpt
   CompiledFilm film;
   film.film = name;
   film.shape = shape;
-  const auto compile = [&]<class Law>(std::size_t places, const Check& check, auto make) {
+  const auto compile = [&]<class Law>(std::size_t places, const TableCheck& check, auto make) {
     Work work(options, places + static_cast<std::size_t>(check.states));
     make(film, work);
     state_error<Law>(film, work, check);

@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include "oracle/page/sections.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/results/journal_report.hpp"
 
 namespace lubjoint::reports::page {
 
 namespace {
-constexpr double degrees = 180 / boost::math::constants::pi<double>();
 
 std::string rate_words(double rate) {
   return std::abs(rate) < 0.1 ? scientific(rate, 3) : with_minus(fmt::format("{:.4f}", rate));

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/page/panel.hpp"
 #include "oracle/page/sections.hpp"
+#include "oracle/results/angles.hpp"
 
 namespace lubjoint::reports::page {
 
 namespace {
 
-constexpr double degrees = 180 / boost::math::constants::pi<double>();
 constexpr oracle::FiniteFilm reference = oracle::FiniteFilm::finite_reynolds;
 
 /// Classes of the maps: an error up to this, in this colour (viridis, dark for the worst).

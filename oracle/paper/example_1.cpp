@@ -5,20 +5,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/paper/journal_checks.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/results/journal_report.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
-
-constexpr double degrees = 180 / boost::math::constants::pi<double>();
-constexpr double two_pi = boost::math::constants::two_pi<double>();
 
 double distance(const JournalState<double>& y, const Vector2<double>& e) {
   return std::hypot(y[0] - e.x(), y[1] - e.y());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "oracle/files/files.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/paper/slider_crank_checks.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
 
@@ -21,14 +21,12 @@ namespace lubjoint::reports {
 
 namespace {
 
-constexpr double two_pi = boost::math::constants::two_pi<double>();
 constexpr std::size_t samples_per_turn = 720;
-constexpr double tolerance = 1e-10;
 
 /// A scene with fine tolerances, whole revolutions, and samples at the same crank angles in each.
 Scene prepared(const std::filesystem::path& file) {
   Scene scene = load_scene(file);
-  scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = run_tolerance;
   scene.run.output_interval = two_pi / crank_speed_of(scene) / static_cast<double>(samples_per_turn);
   scene.energy_ledger = true;
   return scene;
@@ -50,7 +48,7 @@ Example2Case run_case(Scene scene) {
   item.run = simulate_multibody(item.scene);
   item.verdict.checks = compare_with_minimal_coordinates(
       item.scene, item.run, minimal_coordinates_run_with_peaks(item.scene, times_of(item.run), 1e-12));
-  item.verdict.checks.push_back(energy_check(item.run, tolerance));
+  item.verdict.checks.push_back(energy_check(item.run, run_tolerance));
   for (std::size_t i = samples_per_turn; i < item.run.samples.size(); ++i) {
     const Vector2<double> change =
         ratio_of(item, item.run.samples[i]) - ratio_of(item, item.run.samples[i - samples_per_turn]);
@@ -114,13 +112,13 @@ void run_ideal(const std::filesystem::path& scenes, Example2& example) {
   const char* closed_form = "the closed form at every output time";
   const char* reason = "ten times the tolerance of a step, which holds the constraints";
   checks.push_back(
-      Check::at_most("gudgeon pin's force", closed_form, force_difference, 10 * tolerance, "of its peak", reason));
+      Check::at_most("gudgeon pin's force", closed_form, force_difference, 10 * run_tolerance, "of its peak", reason));
   checks.push_back(
-      Check::at_most("driving moment", closed_form, moment_difference, 10 * tolerance, "of its peak", reason));
-  checks.push_back(energy_check(example.ideal, tolerance));
+      Check::at_most("driving moment", closed_form, moment_difference, 10 * run_tolerance, "of its peak", reason));
+  checks.push_back(energy_check(example.ideal, run_tolerance));
 
   Scene torque = load_scene(scenes / "slider-crank-torque.toml");
-  torque.run.relative_tolerance = torque.run.absolute_tolerance = tolerance;
+  torque.run.relative_tolerance = torque.run.absolute_tolerance = run_tolerance;
   const MultibodyTrajectory run = simulate_multibody(torque);
   const std::size_t n = 3 * torque.bodies.size();
   const double last_work = torque.loads[0].moment * run.samples.back().state[2];
@@ -133,7 +131,7 @@ void run_ideal(const std::filesystem::path& scenes, Example2& example) {
     torque_difference = std::max(torque_difference, std::abs(kinetic - torque.loads[0].moment * angle) / last_work);
   }
   checks.push_back(Check::at_most("energy under a constant torque", "I_eff(angle) spin^2/2 = M angle",
-                                  torque_difference, 100 * tolerance, "of the work",
+                                  torque_difference, 100 * run_tolerance, "of the work",
                                   "a hundred times the tolerance of a step"));
 }
 

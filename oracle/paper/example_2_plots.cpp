@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "oracle/files/files.hpp"
 #include "oracle/paper/example_2.hpp"
 #include "oracle/plot/orbit.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
@@ -13,8 +13,6 @@
 namespace lubjoint::reports {
 
 namespace {
-
-constexpr double degrees = 180 / boost::math::constants::pi<double>();
 
 /// One panel a parameter set; `script(item)` is what it plots.
 template <class Script>

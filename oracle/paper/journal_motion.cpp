@@ -1,16 +1,15 @@
 #include "oracle/paper/journal_motion.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 
+#include "oracle/results/angles.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
-
-constexpr double two_pi = boost::math::constants::two_pi<double>();
 
 /// A path seen from a point.
 class Path {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
@@ -12,13 +11,13 @@
 #include "oracle/files/parallel.hpp"
 #include "oracle/laws/model_error.hpp"
 #include "oracle/paper/slider_crank_checks.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
 
-constexpr double tolerance = 1e-10;
 constexpr std::size_t looks = 12;  ///< at a run's forces
 
 /// A state of a film with the force that a run had there [N].
@@ -73,7 +72,7 @@ RealFilmCrank run_crank(Scene scene) {
   RealFilmCrank item;
   item.scene = std::move(scene);
   item.run = simulate_multibody(item.scene);
-  item.verdict.checks.push_back(energy_check(item.run, tolerance));
+  item.verdict.checks.push_back(energy_check(item.run, run_tolerance));
   item.verdict.checks.push_back(solved_force_check(item.scene, item.run));
   return item;
 }
@@ -81,7 +80,7 @@ RealFilmCrank run_crank(Scene scene) {
 /// A scene with a law and fine tolerances.
 Scene prepared(Scene scene, std::string_view law, SceneFilms& films) {
   scene.joints.front().film = law;
-  scene.run.relative_tolerance = scene.run.absolute_tolerance = tolerance;
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = run_tolerance;
   films.provide(scene);
   return scene;
 }
@@ -157,7 +156,6 @@ RealFilms run_real_films(const std::filesystem::path& scenes, SceneFilms& films)
 }
 
 std::string real_films_table(const RealFilms& films) {
-  constexpr double degrees = 180 / std::numbers::pi;
   std::string text =
       "The film of the bearing's real length\n"
       "example 1        rest e/c  attitude [deg]  largest e/c  largest force [N]  verdict\n";

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/film_state.hpp"
 #include "lubjoint/scene/journal_losses.hpp"
+#include "oracle/results/angles.hpp"
 #include "oracle/results/coefficient_table.hpp"
 #include "oracle/results/loss_columns.hpp"
 #include "oracle/results/motion_words.hpp"
@@ -16,10 +16,6 @@
 #include "oracle/results/squeeze_reynolds.hpp"
 
 namespace lubjoint::reports {
-
-namespace {
-constexpr double degrees = 180 / boost::math::constants::pi<double>();
-}  // namespace
 
 nlohmann::ordered_json summary_json(const Scene& scene, const JournalTrajectory& run) {
   const SceneJoint& joint = scene.joints.front();

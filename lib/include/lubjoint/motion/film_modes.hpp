@@ -76,6 +76,13 @@ class MasslessMode {
   const MasslessJournal<Law>& journal_;
 };
 
+/// Sine of the angle between ê and u beyond which a state is on the other side of a = 0, whatever the errors of its
+/// run.
+/// @param mean_spin  ω̄ [rad/s]
+inline double wrong_side(const FilmState<double>& film, double mean_spin) {
+  return is_zero(film.velocity) ? 1 : (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000;
+}
+
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
 template <JumpingLaw Law>
 class SidedMode {
@@ -85,7 +92,9 @@ class SidedMode {
   static constexpr std::size_t margin_count = 1;  ///< sign of a
 
   /// The journal, its film on the given side.
-  SidedMode(const FreeJournal<Law>& journal, HalfFilmSide side) : journal_(journal), side_(side) {}
+  /// @param from_jump  does the side begin on a = 0?
+  SidedMode(const FreeJournal<Law>& journal, HalfFilmSide side, bool from_jump)
+      : journal_(journal), side_(side), from_jump_(from_jump) {}
 
   /// Right-hand side.
   template <class T>
@@ -107,9 +116,17 @@ class SidedMode {
     return {side_ == HalfFilmSide::converging ? -sine : sine};
   }
 
+  /// It begins on a = 0 and may part from it slowly, by less than the errors of the run.
+  bool begins_unparted() const { return from_jump_; }
+  /// Of that margin: a thousandth of the motion's rates, as far above errors of a run as below the motion.
+  double wrong_side(const std::array<double, 4>& y) const {
+    return lubjoint::wrong_side(journal_.film(y), journal_.drive().mean_spin());
+  }
+
  private:
   const FreeJournal<Law>& journal_;
   HalfFilmSide side_;
+  bool from_jump_;
 };
 
 /// Sliding on a = 0. There u is parallel to ê, so the line of centres turns with the mean spin ω̄ = ½(ω_J + ω_B):

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -80,7 +81,7 @@ class ModeRuns {
     const bool by_steps = is_first_order || !is_stiff_integrator(outcome_.integrator);
     ModeSystem<Mode> system(mode, outcome_.rhs_evaluations);
     const RunResult result =
-        EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_)
+        EventRun<ModeSystem<Mode>>(system, *method, settings_, outcome_, guard_)
             .run(t_, y, dt_, [&](const auto& step, const auto& state_at, const auto& stepped_at) {
               const auto sample_at = [&](double t) { return by_steps ? stepped_at(t) : state_at(t); };
               recorder_.step(mode, step.t_old, step.t_new, state_at, sample_at, looks);
@@ -105,6 +106,7 @@ class ModeRuns {
   RunSettings settings_;
   JournalRecorder recorder_;
   RunOutcome outcome_;
+  StallGuard<double> guard_;
   double rate_scale_;
   double t_ = 0;
   double dt_ = 0;
@@ -207,6 +209,15 @@ class JournalRun : public ModeRuns {
     return turning > 0 ? Phase::mirrored : Phase::converging;
   }
 
+  /// Where the journal is off a = 0 beyond any error, to which a step of loose tolerance may bring it.
+  std::optional<Phase> side_off_the_jump() const {
+    const FilmState<double> film = journal_.film(y_);
+    if (is_zero(film.eccentricity) || is_zero(film.velocity)) return std::nullopt;
+    const double sine = cross(direction(film.eccentricity), direction(film.velocity));
+    if (std::abs(sine) <= wrong_side(film, journal_.drive().mean_spin())) return std::nullopt;
+    return sine > 0 ? Phase::mirrored : Phase::converging;
+  }
+
   /// Is a rounding of w worth more of the film's force than the load? No velocity in double precision balances it then.
   bool rounding_outweighs_load() const {
     const OnTheJump here = on_the_jump();
@@ -218,6 +229,7 @@ class JournalRun : public ModeRuns {
 
   void run_half_film() {
     Phase phase = first_phase();
+    bool from_jump = cross(journal_.film(y_).eccentricity, journal_.film(y_).velocity) == 0;
     bool started = false;
     double last_event = -1;
     int events_without_progress = 0;
@@ -236,17 +248,24 @@ class JournalRun : public ModeRuns {
         if (result.end != RunEnd::handed_over) return conclude(mode, result, y);
         const bool beyond = y[0] < 0;
         phase = (result.margin == 0) != beyond ? Phase::converging : Phase::mirrored;
+        from_jump = true;
       } else {
         const HalfFilmSide side = phase == Phase::converging ? HalfFilmSide::converging : HalfFilmSide::mirrored;
-        const SidedMode<Law> mode(journal_, side);
+        const SidedMode<Law> mode(journal_, side, from_jump);
         if (!std::exchange(started, true)) recorder_.start(mode, t_, y_);
         result = integrate(mode, y_);
         if (result.end != RunEnd::handed_over) return conclude(mode, result, y_);
         // So near the wall that on its line of centres the journal is at it, to rounding.
         if (!(std::abs(on_the_jump().rho) < 1)) return conclude(mode, {RunEnd::step_too_short, 0}, y_);
-        const Phase next = decide_on_the_jump();
-        const Phase other = phase == Phase::converging ? Phase::mirrored : Phase::converging;
-        phase = next == Phase::sliding ? next : other;
+        if (const std::optional<Phase> beyond = side_off_the_jump()) {
+          phase = *beyond;
+          from_jump = false;
+        } else {
+          from_jump = true;
+          const Phase next = decide_on_the_jump();
+          const Phase other = phase == Phase::converging ? Phase::mirrored : Phase::converging;
+          phase = next == Phase::sliding ? next : other;
+        }
       }
       ++outcome_.mode_changes;
       events_without_progress = t_ > last_event ? 0 : events_without_progress + 1;
@@ -260,7 +279,7 @@ class JournalRun : public ModeRuns {
                                   "lower the viscosity or raise the clearance"
                                 : " and can't leave the jump of its half film at a = 0; use a law without a jump, "
                                   "such as a dynamic one");
-        recorder_.finish(SidedMode<Law>(journal_, HalfFilmSide::converging), t_, y_);
+        recorder_.finish(SidedMode<Law>(journal_, HalfFilmSide::converging, false), t_, y_);
         return;
       }
     }

@@ -27,7 +27,8 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   static constexpr std::size_t looks_each = 1;                ///< a = 0 is not crossed and left in a piece of a step
 
   /// @param evaluations  counted up by every rate
-  ModeSystem(const Mode& mode, std::size_t& evaluations) : mode_(mode), evaluations_(evaluations) {}
+  ModeSystem(const Mode& mode, std::size_t& evaluations)
+      : mode_(mode), evaluations_(evaluations), unparted_(starts_unparted(mode)) {}
 
   void rate(const State& y, State& dydt, const double& t) override {
     ++evaluations_;
@@ -61,19 +62,39 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   }
 
   /// Of the mode. A margin that starts at zero may be negative by rounding: those of sided modes are sines of angles
-  /// between computed unit vectors, known to a few epsilon.
+  /// between computed unit vectors, known to a few epsilon. A side ends at a = 0 once it has parted from it; before
+  /// that, where it is wrong beyond any error.
   void margins(double t, const State& y, std::vector<Margin<double>>& list) const {
-    list.clear();
-    for (const double value : mode_.margins(t, y)) {
-      list.push_back({value, 16 * std::numeric_limits<double>::epsilon()});
+    double least = rounding;
+    if constexpr (may_be_unparted) {
+      if (unparted_) least = std::max(least, mode_.wrong_side(y));
     }
+    list.clear();
+    for (const double value : mode_.margins(t, y)) list.push_back({value, least});
   }
 
-  static bool hold(double, State&, bool) { return false; }  ///< nothing drifts
+  /// Nothing drifts; has a side parted?
+  bool hold(double t, const State& y, bool exactly) {
+    if constexpr (may_be_unparted) {
+      if (unparted_ && !exactly) unparted_ = !(mode_.margins(t, y)[0] > rounding);
+    }
+    return false;
+  }
   /// The caller knows which mode follows.
   static AfterEvent cross(std::size_t, double, const State&) { return AfterEvent::hand_over; }
 
  private:
+  static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  static constexpr bool may_be_unparted = requires(const Mode& mode) { mode.begins_unparted(); };
+
+  static bool starts_unparted(const Mode& mode) {
+    if constexpr (may_be_unparted) {
+      return mode.begins_unparted();
+    } else {
+      return false;
+    }
+  }
+
   /// 1 − ε².
   double film_left(double t, const State& y) const {
     if constexpr (Mode::coordinates == 0) {  // ê is the state, and velocities are asked for inside the film alone
@@ -86,6 +107,7 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
 
   const Mode& mode_;
   std::size_t& evaluations_;
+  bool unparted_;  ///< is it on a side that has not left a = 0 yet?
 };
 
 }  // namespace lubjoint

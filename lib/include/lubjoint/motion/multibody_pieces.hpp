@@ -394,8 +394,15 @@ class MultibodyPieces {
     slides_.push_back({j, static_cast<double>(slides_since_[j]), static_cast<double>(t)});
   }
 
-  /// A side that ends at a = 0.
+  /// A side that ends at a = 0; or, of one that has not parted from it, where it is wrong beyond any error: a step of
+  /// loose tolerance has brought the journal to the other side.
   void leave_side(const R& t, const State& y, std::size_t j) {
+    const Slip slip = slip_of(t, y, j);
+    if (abs_of(slip.sine) > std::max<R>(slip.rounding, slip.wrong_side)) {
+      ode_.memory()[j].side = slip.side();
+      unparted_[j] = false;
+      return;
+    }
     const FilmSide other = ode_.memory()[j].side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
     Vector2<R> line;
     enter_side(t, y, j, side_from_jump(t, y, j, line, other), line);

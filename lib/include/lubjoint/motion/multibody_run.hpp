@@ -45,7 +45,7 @@ class MultibodyRun {
         options_(std::move(options)),
         method_(std::move(method)),
         pieces_(ode, upkeep, R(settings.absolute_tolerance)),
-        engine_(pieces_, *method_, settings_, outcome_),
+        engine_(pieces_, *method_, settings_, outcome_, guard_),
         recorder_(ode, settings, method_->looks_inside(), options_.sensors),
         watch_(ode, settings.relative_tolerance),
         springs_(ode, settings.relative_tolerance, method_->looks_inside()),
@@ -198,6 +198,7 @@ class MultibodyRun {
   std::unique_ptr<Method> method_;
   RunOutcome outcome_;
   MultibodyPieces<R> pieces_;
+  StallGuard<R> guard_;
   EventRun<MultibodyPieces<R>> engine_;
   MultibodyRecorder<R> recorder_;
   SingularWatch<R> watch_;

@@ -73,6 +73,24 @@ struct RunResult {
   std::size_t margin = 0;                 ///< of the last event
 };
 
+/// Notices a run that would never end. One for all systems of a run: each may last but a few steps.
+template <class R>
+class StallGuard {
+ public:
+  /// Before a trial step at t. Have stall_limit of them brought less than stall_share of the duration?
+  bool is_stalled(const R& t, const R& duration) {
+    if (++steps_ < stall_limit) return false;
+    if (t - mark_ < R(stall_share) * duration) return true;
+    mark_ = t;
+    steps_ = 0;
+    return false;
+  }
+
+ private:
+  R mark_{};
+  std::size_t steps_ = 0;
+};
+
 /// Integrates a system from (t, y) to the end of the run or to where another system takes over. Events are as accurate
 /// as the solution: the method itself steps to them, not an interpolant.
 template <EventSystem System>
@@ -83,9 +101,9 @@ class EventRun {
   using Method = Integrator<R, System::dimension>;  ///< that makes the steps
   using Step = StepInterpolant<State>;              ///< an accepted one
 
-  /// All four are kept by reference; steps are counted in the outcome.
-  EventRun(System& system, Method& method, const RunSettings& settings, RunOutcome& outcome)
-      : system_(system), method_(method), settings_(settings), outcome_(outcome) {
+  /// All are kept by reference; steps are counted in the outcome.
+  EventRun(System& system, Method& method, const RunSettings& settings, RunOutcome& outcome, StallGuard<R>& guard)
+      : system_(system), method_(method), settings_(settings), outcome_(outcome), guard_(guard) {
     step_.smooth_rates = method.has_smooth_rates();
   }
 
@@ -104,15 +122,9 @@ class EventRun {
     };
     int rejections = 0;
     std::size_t at_once = 0;
-    R stall_mark = t;
-    std::size_t stall_steps = 0;
     while (t_end - t > shortest * t_end) {
       if (outcome_.steps + outcome_.rejected_steps >= settings_.max_steps) return {RunEnd::step_limit, 0};
-      if (++stall_steps >= stall_limit) {
-        if (t - stall_mark < R(stall_share) * t_end) return {RunEnd::stalled, 0};
-        stall_mark = t;
-        stall_steps = 0;
-      }
+      if (guard_.is_stalled(t, t_end)) return {RunEnd::stalled, 0};
       step_.t_old = t;
       step_.y_old = y;
       step_.rate_old = step_.rate_new;
@@ -360,6 +372,7 @@ class EventRun {
   Method& method_;
   const RunSettings& settings_;
   RunOutcome& outcome_;
+  StallGuard<R>& guard_;
   Step step_;
   State look_{};         ///< at a time inside the step
   State event_state_{};  ///< where an event is
