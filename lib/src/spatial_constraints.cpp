@@ -189,6 +189,7 @@ constexpr SpatialConstraintReader constraint_readers[] = {
     {"revolute", as_any<read_along_axis<RevoluteJoint<double>>>},
     {"cylindrical", as_any<read_along_axis<CylindricalJoint<double>>>},
     {"prismatic", as_any<read_along_axis<PrismaticJoint<double>>>},
+    {"planar", as_any<read_along_axis<PlanarJoint<double>>>},
     {"distance", as_any<read_distance>},
     {"driver", as_any<read_spatial_driver>}};
 // Two types make a FixedJoint, and one makes both drivers.

@@ -9,6 +9,11 @@
 
 namespace lubjoint {
 
+template class SpatialOde<double>;
+template SpatialStart<double> assemble_spatial_start(SpatialSystem<double>& system, const double& t,
+                                                     const double& length, std::vector<double>& y,
+                                                     RedundantConstraints redundant);
+
 namespace {
 
 /// Length of a spring in a state [m].

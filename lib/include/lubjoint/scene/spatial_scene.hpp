@@ -4,10 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "lubjoint/motion/spatial_ode.hpp"
 #include "lubjoint/multibody/spatial/assembly.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 
 namespace lubjoint {
+
+// Compiled once, in the scene library.
+extern template class SpatialOde<double>;
+/// assemble_spatial_start of double.
+extern template SpatialStart<double> assemble_spatial_start(SpatialSystem<double>& system, const double& t,
+                                                            const double& length, std::vector<double>& y,
+                                                            RedundantConstraints redundant);
 
 /// A rigid body in space and its state at t = 0.
 struct SpatialSceneBody {

@@ -13,7 +13,7 @@ namespace lubjoint {
 template <class R>
 using AnySpatialConstraint =
     std::variant<FixedJoint<R>, SphericalJoint<R>, UniversalJoint<R>, RevoluteJoint<R>, CylindricalJoint<R>,
-                 PrismaticJoint<R>, DistanceJoint<R>, RotationalDriver<R>, TranslationalDriver<R>>;
+                 PrismaticJoint<R>, PlanarJoint<R>, DistanceJoint<R>, RotationalDriver<R>, TranslationalDriver<R>>;
 
 /// A constraint of a system, and the name that messages and results give it.
 template <class R>

@@ -168,6 +168,28 @@ struct PrismaticJoint : detail::BetweenAxes<R> {
   }
 };
 
+/// Two faces that stay on each other: n_j along n_i, t₁i·n_j = t₂i·n_j = 0, and n_i·d = 0. What a film leaves free but
+/// for its plane, the thrust faces and the length of a bearing hold.
+template <class R>
+struct PlanarJoint : detail::BetweenAxes<R> {
+  static constexpr std::size_t rows = 3;  ///< scalar equations
+
+  /// On another scalar.
+  template <class S>
+  PlanarJoint<S> cast() const {
+    return {{this->first.template cast<S>(), this->second.template cast<S>()}};
+  }
+  /// Fills the rows from the motions of its two bodies at time t.
+  template <class T, class Time>
+  void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time&, SpatialRow<T>* row) const {
+    const TurningVector<T> axis_j = turning_vector(body_j, this->second.axis);
+    fill_perpendicular(body_i, turning_vector(body_i, this->first.across), body_j, axis_j, row[0]);
+    fill_perpendicular(body_i, turning_vector(body_i, this->first.third()), body_j, axis_j, row[1]);
+    fill_across(body_i, turning_vector(body_i, this->first.axis), body_j,
+                point_pair(body_i, this->first.point, body_j, this->second.point), row[2]);
+  }
+};
+
 /// A rod without mass between two points: |P_j − P_i| = l.
 template <class R>
 struct DistanceJoint : detail::BetweenPoints<R> {
