@@ -82,7 +82,7 @@ SpatialScene every_constraint(unsigned seed) {
   const BodyAxes<double> c = axes(ground_body, {0.1, 0.2, 0.3}, {1, 0.2, 0.5});
   scene.constraints = {{"pin", RevoluteJoint<double>{{c, a}}},
                        {"cross", UniversalJoint<double>{{a, b}}},
-                       {"rod", DistanceJoint<double>{{{1, {0.05, 0.02, 0.03}}, {2, {0.01, -0.02, 0.03}}}, 0.3}},
+                       {"rod", DistanceJoint<double>{{{1, {0.05, 0.02, 0.03}}, {2, {-0.03, 0.01, 0.02}}}, 0.3}},
                        {"sleeve", CylindricalJoint<double>{{axes(1, {0.01, 0, 0}, {0, 1, 1}), b}}},
                        {"motor", RotationalDriver<double>{{c, a}, {0.3, 2, 5}}},
                        {"ram", TranslationalDriver<double>{{axes(1, {0.01, 0, 0}, {0, 1, 1}), b}, {0.1, 1, 2}}}};
@@ -196,7 +196,7 @@ TEST_CASE("space: the Jacobian is exact, by differences of longer numbers") {
     };
     for (std::size_t column = 0; column <= y.size(); ++column) {
       // Differences of order 4: errors of (h/c)^4 and of 1e-19/h.
-      const long double h = 1e-8L;
+      const long double h = column < y.size() ? 1e-8L : 1e-5L;  // of places in a film, and of time
       const auto a = at(column, h), b = at(column, -h), c = at(column, 2 * h), d = at(column, -2 * h);
       for (std::size_t row = 0; row < y.size(); ++row) {
         const double wanted = static_cast<double>((8 * (a[row] - b[row]) - (c[row] - d[row])) / (12 * h));
@@ -239,7 +239,7 @@ TEST_CASE("space: every γ is the rate of Φ̇, and Φ̇ that of Φ, by differen
       rows.push_back({w.rows[row].value, system.constraint_rate(row, w)});
     return rows;
   };
-  const long double h = 1e-4L;
+  const long double h = 2e-6L;
   const auto a = at(h), b = at(-h), c = at(2 * h), d = at(-2 * h), now = at(0);
   for (std::size_t row = 0; row < system.constraint_rows(); ++row) {
     INFO(scene.constraints[system.constraint_of(row)].name << ", row " << row);
@@ -248,9 +248,10 @@ TEST_CASE("space: every γ is the rate of Φ̇, and Φ̇ that of Φ, by differen
     };
     const long double rate = slope([](const auto& r) { return r.first; });
     const long double second = slope([](const auto& r) { return r.second; });
-    // Errors of order h^4, and of rounding over h.
-    CHECK(static_cast<double>(std::abs(rate - now[row].second)) < 1e-12);
-    CHECK(static_cast<double>(std::abs(second + w.rows[row].gamma)) < 1e-11 * (1 + std::abs(static_cast<double>(second))));
+    // Rounding over h; a body turns by 6e-5 in h, whose fourth power is less.
+    CHECK(static_cast<double>(std::abs(rate - now[row].second)) < 1e-12 * (1 + std::abs(static_cast<double>(rate))));
+    CHECK(static_cast<double>(std::abs(second + w.rows[row].gamma)) <
+          1e-11 * (1 + std::abs(static_cast<double>(second))));
   }
 }
 
@@ -288,6 +289,8 @@ TEST_CASE("space: a joint's wrenches have no resultant and no moment, and no mom
 TEST_CASE("space: a free pair keeps its momentum, its energy is in the ledger, and |p| is 1") {
   for (const char* integrator : {"radau_iia5", "dopri5"}) {
     SpatialScene scene = free_pair(4);
+    scene.run.duration = 0.005;
+    scene.run.output_interval = 5e-4;
     scene.energy_ledger = true;
     scene.integrator = integrator;
     scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-10;
@@ -305,7 +308,8 @@ TEST_CASE("space: a free pair keeps its momentum, its energy is in the ledger, a
     }
     CHECK(*run.energy_residual < 1e-8 * run.energy_scale);
     CHECK(run.drift.norm < 1e-9);  // of a step at this tolerance
-    CHECK(std::abs(run.samples.back().ledger[2 + static_cast<std::size_t>(LedgerTerm::film)]) > 1e-4 * run.energy_scale);
+    const double film = run.samples.back().ledger[2 + static_cast<std::size_t>(LedgerTerm::film)];
+    CHECK(std::abs(film) > 100 * *run.energy_residual);  // it would be missed
   }
 }
 
@@ -416,7 +420,9 @@ TEST_CASE("space: a journal that tilts to the bearing's edge stops the run there
 
 TEST_CASE("space: a journal across its bearing has no film: it is refused, and named") {
   SpatialScene scene = free_pair(7);
-  scene.joints[0].journal.axis = any_perpendicular(scene.joints[0].journal.axis);
+  const V3 across = inertial_vector(frame_at_start(scene, 0), scene.joints[0].bearing.across);
+  scene.joints[0].journal.axis = transposed_product(rotation_matrix(scene.bodies[1].orientation), across);
+  scene.joints[0].journal.across = any_perpendicular(scene.joints[0].journal.axis);
   CHECK_THROWS_WITH(simulate_spatial(scene), Contains("starts across its bearing"));
 }
 

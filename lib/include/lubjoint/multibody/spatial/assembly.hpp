@@ -137,6 +137,8 @@ std::string disagreement(const DenseMatrix<R>& matrix, const SpatialWorkspace<R>
   const auto disagrees = [&](const auto& value) {
     R left = value(w.rows[row]);
     R of_terms = abs(left);
+    R largest(0);  // rows across a plane of motion have nothing but rounding of the others
+    for (const SpatialRow<R>& each : w.rows) largest = std::max<R>(largest, abs(value(each)));
     for (std::size_t k = 0; k < others.size(); ++k) {
       const R weight = dependence.weights(static_cast<Eigen::Index>(k));
       if (abs(weight) <= R(least_new_share)) continue;  // rounding
@@ -144,7 +146,7 @@ std::string disagreement(const DenseMatrix<R>& matrix, const SpatialWorkspace<R>
       left -= term;
       of_terms += abs(term);
     }
-    return abs(left) > R(1e-6) * of_terms;
+    return abs(left) > R(1e-6) * of_terms + R(1e-10) * largest;
   };
   if (disagrees([](const SpatialRow<R>& r) { return r.time_rate; })) return "velocity";
   if (disagrees([](const SpatialRow<R>& r) { return r.gamma; })) return "acceleration";
