@@ -48,6 +48,7 @@ class MemoryAlong {
 detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::PreparedScene& prepared) {
   Scene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
+  pilot_scene.run.knots = scene_knots(scene);
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances<double>(pilot_scene);
   MultibodyOde<double> ode(prepared.system, false);
@@ -81,7 +82,9 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
     choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
-  MultibodyRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
+  RunSettings settings = scene.run;
+  settings.knots = scene_knots(scene);
+  MultibodyRun<double> run(ode, settings, method_of(choice.name, scene.run, scene_tolerances<double>(scene)),
                            upkeep_of(scene), options_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
