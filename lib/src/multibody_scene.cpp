@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "multibody_simulation.hpp"
@@ -41,6 +44,18 @@ double length_of(const TranslationalSpring<double>& spring, const std::vector<do
   return (place(spring.second) - place(spring.first)).norm();
 }
 
+/// The largest force [N] and moment [N m] at the knots of a table.
+std::pair<double, double> largest_of(const TableCurves<3>& curves) {
+  double force = 0;
+  double moment = 0;
+  for (const double knot : curves.knots()) {
+    const std::array<double, 3> values = curves.at(knot);
+    force = std::max(force, std::hypot(values[0], values[1]));
+    moment = std::max(moment, std::abs(values[2]));
+  }
+  return {force, moment};
+}
+
 JournalMotion<double> motion_at(const std::vector<double>& y, const JointElement<double>& joint) {
   return joint
       .kinematics(PlanarFrame<double>(motion_in(y, joint.bearing_at.body)),
@@ -76,6 +91,12 @@ SceneUnits scene_units(const Scene& scene) {
     at_least(std::sqrt(std::abs(load.moment) / scene.bodies[load.body].inertia));
     units.energy += std::abs(load.moment) + load.force.norm() * units.mechanism;
     if (load.harmonic) at_least(load.harmonic->rate);
+    if (load.table) {
+      const auto [force, moment] = largest_of(*load.table->curves);
+      at_least(std::sqrt(moment / scene.bodies[load.body].inertia));
+      units.energy += moment + force * units.mechanism;
+      if (!load.table->of_angle) at_least(2 * std::numbers::pi / load.table->curves->length());
+    }
   }
   for (const SceneSpring& each : scene.springs) {
     for (const std::size_t b : {each.first_body(), each.second_body()}) {
@@ -89,7 +110,22 @@ SceneUnits scene_units(const Scene& scene) {
     }
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (const auto* driver = std::get_if<Driver<double>>(&each.constraint)) at_least(driver->speed);
+    const auto at_least_of_shape = [&](const auto& driver) {
+      if (!driver.shape) return;
+      if (driver.shape->amplitude != 0) at_least(driver.shape->rate);
+      if (!driver.shape->table) return;
+      const TableCurves<1>& table = *driver.shape->table;
+      const double unit = std::is_same_v<std::decay_t<decltype(driver)>, SlideDriver<double>> ? units.mechanism : 1;
+      for (const double knot : table.knots()) at_least(table.with_derivatives(knot).slope[0] / unit);
+    };
+    if (const auto* driver = std::get_if<Driver<double>>(&each.constraint)) {
+      at_least(driver->speed);
+      at_least_of_shape(*driver);
+    }
+    if (const auto* driver = std::get_if<SlideDriver<double>>(&each.constraint)) {
+      at_least(driver->speed / units.mechanism);
+      at_least_of_shape(*driver);
+    }
   }
   for (const SceneBody& body : scene.bodies) {
     units.energy = std::max(units.energy, body.mass * std::pow(units.length * units.rate, 2));
@@ -97,9 +133,47 @@ SceneUnits scene_units(const Scene& scene) {
   return units;
 }
 
+namespace {
+
+/// A table that is not periodic has nothing beyond its ends. The duration may be another than that of the file.
+template <std::size_t N>
+void require_cover(const Scene& scene, const std::string& what, const TableCurves<N>& curves, double delay) {
+  const double first = curves.knots().front();
+  const double last = curves.knots().back();
+  const double end = delay + scene.run.duration;
+  // The rest of a run that is cut in two ends where the whole one ends, to rounding.
+  if (curves.is_periodic() || (first <= delay && last >= end * (1 - 1e-14))) return;
+  std::ostringstream message;
+  message << scene.file << ": " << what << " has a table from " << first << " s to " << last
+          << " s, and the run needs it from " << delay << " s to " << end
+          << " s; allowed is a table that covers the run, or a shorter duration";
+  throw SceneError(message.str());
+}
+
+void require_cover(const Scene& scene) {
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
+    const std::optional<SceneTable>& table = scene.loads[l].table;
+    if (table && !table->of_angle)
+      require_cover(scene, "loads[" + std::to_string(l) + "]", *table->curves, table->delay);
+  }
+  for (const SceneConstraint& each : scene.constraints) {
+    std::visit(
+        [&]<class Constraint>(const Constraint& constraint) {
+          if constexpr (requires { constraint.shape; }) {
+            if (constraint.shape && constraint.shape->table)
+              require_cover(scene, "driver \"" + each.name + "\"", *constraint.shape->table, constraint.shape->delay);
+          }
+        },
+        each.constraint);
+  }
+}
+
+}  // namespace
+
 namespace detail {
 
 PreparedScene prepare(const Scene& scene) {
+  require_cover(scene);
   PreparedScene prepared{planar_system<double>(scene), scene_start<double>(scene), {}};
   try {
     prepared.correction = assemble_start(prepared.system, 0.0, scene_units(scene).mechanism, prepared.start);

@@ -32,6 +32,7 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& 
 detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::PreparedScene& prepared) {
   Scene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
+  pilot_scene.run.knots = scene_knots(scene);
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances<double>(pilot_scene);
   MultibodyOde<double> ode(prepared.system, false);
@@ -51,8 +52,10 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
     choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
+  RunSettings settings = scene.run;
+  settings.knots = scene_knots(scene);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();
-  MultibodyRun<double> run(ode, scene.run,
+  MultibodyRun<double> run(ode, settings,
                            method_of(choice.name, scene.run, scene_tolerances<double>(scene), integrals),
                            upkeep_of(scene), options_of(scene));
   result.outcome = run.run(prepared.start);

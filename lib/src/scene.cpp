@@ -1,6 +1,7 @@
 #include "lubjoint/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lubjoint/motion/multibody_results.hpp"
 
@@ -17,6 +18,61 @@ bool is_free_journal(const Scene& scene) {
       std::all_of(scene.loads.begin(), scene.loads.end(), [](const auto& l) { return l.is_constant(); });
   if (!steady || !scene.springs.empty() || !scene.sensors.empty()) return false;
   return !joint.contact && !turned && !slows_down && joint.bearing.on_ground() && is_zero(joint.journal.point);
+}
+
+namespace {
+
+/// Knots of a table of time that lie within (0, duration).
+template <std::size_t N>
+void add_knots(const TableCurves<N>& curves, double delay, double duration, std::vector<double>& times) {
+  const double length = curves.is_periodic() ? curves.length() : 0;
+  double turns = length > 0 ? std::floor((delay - curves.knots().front()) / length) : 0;
+  do {
+    for (const double knot : curves.knots()) {
+      const double t = knot + turns * length - delay;
+      if (t > 0 && t < duration) times.push_back(t);
+    }
+    turns += 1;
+  } while (length > 0 && curves.knots().front() + turns * length - delay < duration);
+}
+
+}  // namespace
+
+std::vector<SceneDriver> scene_drivers(const Scene& scene) {
+  std::vector<SceneDriver> drivers;
+  if (is_free_journal(scene)) return drivers;
+  for (const SceneConstraint& each : scene.constraints) {
+    if (!each.is_driver()) continue;
+    const bool slides = std::holds_alternative<SlideDriver<double>>(each.constraint);
+    drivers.push_back({each.name, slides ? "force" : "moment", slides ? "N" : "N m"});
+  }
+  for (const SceneBody& body : scene.bodies) {
+    if (body.spin_is_held) drivers.push_back({held_spin_name(body)});
+  }
+  return drivers;
+}
+
+std::vector<double> scene_knots(const Scene& scene) {
+  std::vector<double> times;
+  for (const SceneLoad& load : scene.loads) {
+    if (load.table && !load.table->of_angle)
+      add_knots(*load.table->curves, load.table->delay, scene.run.duration, times);
+  }
+  for (const SceneConstraint& each : scene.constraints) {
+    std::visit(
+        [&]<class Constraint>(const Constraint& constraint) {
+          if constexpr (requires { constraint.shape; }) {
+            if (constraint.shape && constraint.shape->table)
+              add_knots(*constraint.shape->table, constraint.shape->delay, scene.run.duration, times);
+          }
+        },
+        each.constraint);
+  }
+  std::sort(times.begin(), times.end());
+  // Neighbours that rounding alone tells apart are one.
+  const auto same = [](double a, double b) { return b - a <= 1e-14 * b; };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
+  return times;
 }
 
 std::size_t ledger_works(const Scene& scene) {

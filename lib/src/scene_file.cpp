@@ -39,6 +39,10 @@ SceneBody read_body(TableReader table, const std::vector<SceneBody>& others) {
   body.position = table.vector_or("position", body.position, "m");
   body.angle = table.number_or("angle", 0, Allowed::any, "rad");
   body.velocity = table.vector_or("velocity", body.velocity, "m/s");
+  if (table.has("points")) {
+    TableReader points = table.table("points");
+    for (const std::string& name : points.keys()) body.points.push_back({name, points.vector(name, "m")});
+  }
   if (table.is_table("spin")) {
     TableReader spin = table.table("spin");
     if (!spin.has("held")) {
@@ -233,6 +237,9 @@ Scene read_scene(TableReader root, const std::string& file) {
     root.refuse("dimension", with_unit(root.number("dimension", Allowed::positive, "-"), ""),
                 "2 here: scenes in space (dimension = 3) are run by simulate alone");
   }
+  // A table that nobody asks for is refused first: what it was meant to be would only be missed later.
+  root.require_tables_among({"name", "gravity", "duration", "bodies", "loads", "joints", "constraints", "springs",
+                             "sensors", "stabilisation", "integrator", "output"});
   scene.name = root.name("name");
   scene.gravity = root.vector_or("gravity", scene.gravity, "m/s^2");
   scene.run.duration = read_duration(root);

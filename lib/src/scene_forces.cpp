@@ -7,21 +7,11 @@
 
 #include "lubjoint/text/nearest_name.hpp"
 #include "scene_parts.hpp"
+#include "scene_tables.hpp"
 
 namespace lubjoint {
 
 namespace {
-
-/// The place of a name in a list. What it may be is named where it is none.
-template <class Items>
-std::size_t find_named(const TableReader& table, std::string_view key, const std::string& name, const Items& items,
-                       const std::string& what) {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  if (found != items.end()) return static_cast<std::size_t>(found - items.begin());
-  std::string allowed = items.empty() ? "nothing: the scene has no " + what : "the name of a " + what + ":";
-  for (const auto& item : items) allowed += " " + in_quotes(item.name);
-  table.refuse(key, in_quotes(name), allowed);
-}
 
 SceneHarmonic read_harmonic(TableReader table) {
   SceneHarmonic harmonic;
@@ -42,6 +32,16 @@ SceneUnbalance read_unbalance(TableReader table) {
   unbalance.phase = table.number_or("phase", 0, Allowed::any, "rad");
   table.finish();
   return unbalance;
+}
+
+/// Has a table of loads a force that is not 0 everywhere?
+bool has_force_columns(const SceneTable& table) {
+  const auto acts = [](const std::array<TableCurves<3>::Cubic, 3>& piece) {
+    return std::any_of(piece.begin(), piece.begin() + 2, [](const auto& cubic) {
+      return std::any_of(cubic.begin(), cubic.end(), [](double c) { return c != 0; });
+    });
+  };
+  return std::any_of(table.curves->pieces().begin(), table.curves->pieces().end(), acts);
 }
 
 /// A rotational spring acts about the pin that it names.
@@ -119,17 +119,22 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
     table.finish();
     return load;
   }
-  const bool has_force = !table.has("moment") || table.has("force");
-  if (has_force) load.force = table.vector("force", "N");
-  load.moment = table.number_or("moment", 0, Allowed::any, "N m");
-  load.point = table.vector_or("point", load.point, "m");
+  bool has_force = !table.has("moment") || table.has("force");
+  if (table.has("table")) {
+    load.table = read_load_table(table, scene);
+    has_force = has_force_columns(*load.table);
+  } else {
+    if (has_force) load.force = table.vector("force", "N");
+    load.moment = table.number_or("moment", 0, Allowed::any, "N m");
+  }
+  load.point = read_point(table, "point", scene, load.body);
   const std::string frame = table.text_or("frame", "inertial");
   if (frame != "inertial" && frame != "body") table.refuse("frame", in_quotes(frame), "\"inertial\" or \"body\"");
   load.turns_with_body = frame == "body";
   for (const char* key : {"point", "frame"}) {
     if (!has_force && table.has(key)) table.refuse(key, "given for a moment alone", "none, or a force beside it");
   }
-  if (table.has("harmonic")) load.harmonic = read_harmonic(table.table("harmonic"));
+  if (!load.table && table.has("harmonic")) load.harmonic = read_harmonic(table.table("harmonic"));
   table.finish();
   return load;
 }
@@ -164,8 +169,8 @@ Sensor read_sensor(TableReader table, const Scene& scene) {
     sensor.of =
         ReactionSensor{find_named(table, "constraint", table.text("constraint"), scene.constraints, "constraint")};
   } else if (type == "point") {
-    sensor.of = PointSensor{
-        {read_body_name(table, "body", scene, false), table.vector_or("point", Vector2<double>(0, 0), "m")}};
+    const std::size_t body = read_body_name(table, "body", scene, false);
+    sensor.of = PointSensor{{body, read_point(table, "point", scene, body)}};
   } else if (type == "distance") {
     const DistanceSensor distance{read_anchor(table.table("first"), scene), read_anchor(table.table("second"), scene)};
     if (distance.first.body == distance.second.body) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "lubjoint/text/nearest_name.hpp"
+#include "scene_drivers.hpp"
 
 namespace lubjoint {
 
@@ -37,20 +38,6 @@ SceneContact read_contact_table(TableReader table, double length) {
   }
   table.finish();
   return contact;
-}
-
-Driver<double> read_driver(TableReader& table, const Scene& scene) {
-  const std::size_t body = read_body_name(table, "body", scene, false);
-  const std::size_t against = table.has("against") ? read_body_name(table, "against", scene, true) : ground_body;
-  if (against == body) table.refuse("against", in_quotes(scene.bodies[body].name), "another body, or \"ground\"");
-  const double start = scene.bodies[body].angle - (against == ground_body ? 0.0 : scene.bodies[against].angle);
-  const double angle = table.number_or("angle", start, Allowed::any, "rad");
-  if (!std::isfinite(angle)) {
-    table.refuse("angle", "missing, and the bodies' angles differ by more than double precision can hold",
-                 "a finite number [rad]");
-  }
-  const double speed = table.number("speed", Allowed::any, "rad/s");
-  return {against, body, angle, speed, table.number_or("acceleration", 0, Allowed::any, "rad/s^2")};
 }
 
 /// Both sides of a pin or a guide.
@@ -97,8 +84,9 @@ AnyConstraint<double> as_any(TableReader& table, const Scene& scene) {
 constexpr ConstraintReader constraint_readers[] = {{"ground", as_any<read_ground>},
                                                    {"revolute", as_any<read_revolute>},
                                                    {"translational", as_any<read_translational>},
-                                                   {"driver", as_any<read_driver>}};
-static_assert(std::size(constraint_readers) == std::variant_size_v<AnyConstraint<double>>, "a reader for each");
+                                                   {"driver", read_driver}};
+static_assert(std::size(constraint_readers) + 1 == std::variant_size_v<AnyConstraint<double>>,
+              "a reader for each; that of drivers reads both that turn and that slide");
 
 }  // namespace
 
@@ -132,9 +120,24 @@ std::size_t read_body_name(TableReader& table, std::string_view key, const Scene
 SceneAnchor read_anchor(TableReader table, const Scene& scene) {
   SceneAnchor anchor;
   anchor.body = read_body_name(table, "body", scene, true);
-  anchor.point = table.vector_or("point", anchor.point, "m");
+  anchor.point = read_point(table, "point", scene, anchor.body);
   table.finish();
   return anchor;
+}
+
+Vector2<double> read_point(TableReader& table, std::string_view key, const Scene& scene, std::size_t body) {
+  if (!table.is_text(key)) return table.vector_or(key, Vector2<double>(0, 0), "m");
+  const std::string name = table.text(key);
+  if (body == ground_body) table.refuse(key, in_quotes(name), "[x, y] [m], inertial: the ground's points have no names");
+  const SceneBody& holder = scene.bodies[body];
+  const auto found = std::find_if(holder.points.begin(), holder.points.end(),
+                                  [&](const ScenePoint& point) { return point.name == name; });
+  if (found != holder.points.end()) return found->place;
+  std::vector<std::string_view> names;
+  for (const ScenePoint& point : holder.points) names.push_back(point.name);
+  table.refuse(key, in_quotes(name),
+               names.empty() ? "[x, y] [m]: body " + in_quotes(holder.name) + " names no points"
+                             : "[x, y] [m], or a point of body " + in_quotes(holder.name) + ": " + one_of(names, name));
 }
 
 void read_contact(TableReader& joint_table, SceneJoint& joint) {

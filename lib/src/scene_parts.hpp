@@ -18,7 +18,21 @@ bool is_taken(const Items& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
 }
 
-/// One of the names of bodies. @throws SceneError that lists them, as do all below with what they refuse
+/// The place of a name in a list. What it may be is named where it is none. @throws SceneError, as do all below
+template <class Items>
+std::size_t find_named(const TableReader& table, std::string_view key, const std::string& name, const Items& items,
+                       const std::string& what) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  if (found != items.end()) return static_cast<std::size_t>(found - items.begin());
+  std::string allowed = items.empty() ? "nothing: the scene has no " + what : "the name of a " + what + ":";
+  for (const auto& item : items) allowed += " " + in_quotes(item.name);
+  table.refuse(key, in_quotes(name), allowed);
+}
+
+/// A point of a body, given by its place or by its name; the mass centre where the key is missing.
+Vector2<double> read_point(TableReader& table, std::string_view key, const Scene& scene, std::size_t body);
+
+/// One of the names of bodies. @throws SceneError that lists them, as all below do
 std::size_t read_body_name(TableReader& table, std::string_view key, const std::vector<std::string>& names,
                            bool ground_is_allowed);
 /// A body by its name. @throws SceneError that lists the bodies, as do all below with what they refuse

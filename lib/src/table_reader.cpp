@@ -210,11 +210,29 @@ void TableReader::finish() const {
   for (const auto& [key, node] : table_) {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    std::string message = "unknown key " + key_path(name) + "; allowed are ";
-    for (std::size_t i = 0; i < known_.size(); ++i) message += (i ? ", " : "") + known_[i];
-    const std::string nearest = nearest_name(known_, name);
-    if (!nearest.empty()) message += "; did you mean " + key_path(nearest) + "?";
-    fail(key.source(), message);
+    refuse_unknown(key, known_);
+  }
+}
+
+void TableReader::refuse_unknown(const toml::key& key, const std::vector<std::string>& known) const {
+  std::string message = "unknown key " + key_path(key.str()) + "; allowed are ";
+  for (std::size_t i = 0; i < known.size(); ++i) message += (i ? ", " : "") + known[i];
+  const std::string nearest = nearest_name(known, key.str());
+  if (!nearest.empty()) message += "; did you mean " + key_path(nearest) + "?";
+  fail(key.source(), message);
+}
+
+std::vector<std::string> TableReader::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, node] : table_) names.emplace_back(key.str());
+  return names;
+}
+
+void TableReader::require_tables_among(const std::vector<std::string_view>& names) const {
+  for (const auto& [key, node] : table_) {
+    if (!node.is_table() && !node.is_array_of_tables()) continue;
+    if (std::find(names.begin(), names.end(), key.str()) != names.end()) continue;
+    refuse_unknown(key, {names.begin(), names.end()});
   }
 }
 

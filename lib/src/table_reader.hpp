@@ -40,6 +40,16 @@ class TableReader {
   /// Every table of an array of tables; none if the key is missing.
   std::vector<TableReader> tables(std::string_view key);
 
+  bool is_text(std::string_view key) const { return table_[key].is_string(); }
+  /// All keys, in alphabetical order.
+  std::vector<std::string> keys() const;
+  /// Refuses tables, and arrays of them, that have none of these names, before anything that they might have been is
+  /// missed.
+  void require_tables_among(const std::vector<std::string_view>& names) const;
+
+  /// Of the scene, as messages name it.
+  const std::string& file() const { return file_; }
+
   std::size_t line() const { return table_.source().begin.line; }
 
   /// Refuses keys that nobody asked for, naming the nearest that there is.
@@ -55,6 +65,7 @@ class TableReader {
   double as_number(std::string_view key, const toml::node& node, const std::string& key_path, Allowed allowed,
                    std::string_view unit) const;
   std::string key_path(std::string_view key) const;
+  [[noreturn]] void refuse_unknown(const toml::key& key, const std::vector<std::string>& known) const;
   [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const;
 
   const toml::table& table_;

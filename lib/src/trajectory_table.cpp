@@ -79,7 +79,7 @@ TrajectoryTable trajectory_table(const Scene& scene, const MultibodyTrajectory& 
   TrajectoryTable table{{"t"}, {}};
   for (const SceneBody& body : scene.bodies) add_body_columns(table, body);
   for (const SceneJoint& joint : scene.joints) add_joint_columns(table, joint);
-  for (const std::string& driver : run.driver_names) table.columns.push_back(driver + ".moment");
+  for (const SceneDriver& driver : scene_drivers(scene)) table.columns.push_back(driver.name + "." + driver.effort);
   if (scene.energy_ledger) {
     table.columns.insert(table.columns.end(), {"energy.kinetic", "energy.potential"});
     for (std::size_t i = 0; i < ledger_works(scene); ++i) {

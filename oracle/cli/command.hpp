@@ -26,6 +26,8 @@ void add_losses(CLI::App& app, Action& action);
 void add_mobility(CLI::App& app, Action& action);
 void add_coefficients(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
+void add_assemble(CLI::App& app, Action& action);
+void add_periodic(CLI::App& app, Action& action);
 void add_benchmark(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);
 void add_accuracy(CLI::App& app, Action& action);

@@ -37,6 +37,8 @@ void add_other(CLI::App& app, Action& action, std::string_view command) {
 void add_commands(CLI::App& app, Action& action) {
   add_reproduce(app, action);
   add_simulate(app, action);
+  add_assemble(app, action);
+  add_periodic(app, action);
   add_force(app, action);
   add_losses(app, action);
   add_mobility(app, action);

@@ -23,18 +23,19 @@ void require_finished(const RunOutcome& outcome, const char* part) {
 }
 
 /// The scene from a state on: drivers go on from where they are, f(t + T) = (φ₀ + ωT + ½αT²) + (ω + αT)t + ½αt², and so
-/// do harmonic loads.
+/// do harmonic loads and tables of time.
 Scene continued(const Scene& scene, double after) {
   Scene late = scene;
   late.run.duration = scene.run.duration - after;
   for (SceneConstraint& each : late.constraints) {
-    auto* driver = std::get_if<Driver<double>>(&each.constraint);
-    if (driver == nullptr) continue;
-    driver->angle += after * (driver->speed + after * driver->acceleration / 2);
-    driver->speed += after * driver->acceleration;
+    if (auto* driver = std::get_if<Driver<double>>(&each.constraint))
+      move_start(driver->angle, driver->speed, driver->acceleration, driver->shape, after);
+    if (auto* driver = std::get_if<SlideDriver<double>>(&each.constraint))
+      move_start(driver->position, driver->speed, driver->acceleration, driver->shape, after);
   }
   for (SceneLoad& load : late.loads) {
     if (load.harmonic) load.harmonic->phase += after * load.harmonic->rate;
+    if (load.table) load.table->delay += after;
   }
   return late;
 }
@@ -133,6 +134,10 @@ double start_of_last_revolution(const Scene& scene) {
   for (const SceneConstraint& each : scene.constraints) {
     const auto* driver = std::get_if<Driver<double>>(&each.constraint);
     if (driver == nullptr) continue;
+    if (driver->shape) {
+      throw std::invalid_argument("--last-revolution: driver \"" + each.name +
+                                  "\" does not turn evenly; allowed is --after");
+    }
     const double speed = driver->speed + end * driver->acceleration;
     if (speed == 0) continue;
     const double own = time_of_a_revolution(speed, driver->acceleration);
@@ -168,11 +173,8 @@ void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, cons
                                      {"t_min_film_thickness", extremes.eccentricity.t}};
   }
   for (std::size_t d = 0; d < late.drivers.size(); ++d) {
-    const nlohmann::ordered_json after = {{"t", late.after},
-                                          {"max_moment", late.drivers[d].max_moment.value},
-                                          {"t_max_moment", late.drivers[d].max_moment.t},
-                                          {"min_moment", late.drivers[d].min_moment.value},
-                                          {"t_min_moment", late.drivers[d].min_moment.t}};
+    nlohmann::ordered_json after = {{"t", late.after}};
+    after.update(driver_extremes_json(scene_drivers(scene)[d], late.drivers[d]));
     summary["drivers"][d]["after"] = after;
     if (d == 0) summary["driver"]["after"] = after;
   }
@@ -193,12 +195,9 @@ std::string late_extremes_text(const Scene& scene, const LateExtremes& late) {
                         extremes_words(e.value / joint.clearance, joint.clearance - e.value, e.t,
                                        late.joints[j].force.value, late.joints[j].force.t));
   }
-  std::size_t d = 0;
-  for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<Driver<double>>(each.constraint) || d >= late.drivers.size()) continue;
-    const DriverExtremes& driver = late.drivers[d++];
-    text += fmt::format("  {:<10} moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n", each.name,
-                        driver.min_moment.value, driver.min_moment.t, driver.max_moment.value, driver.max_moment.t);
+  for (std::size_t d = 0; d < late.drivers.size(); ++d) {
+    const SceneDriver driver = scene_drivers(scene)[d];
+    text += fmt::format("  {:<10} {}\n", driver.name, driver_words(driver, late.drivers[d]));
   }
   for (const ReactionExtremes& reaction : late.reactions) {
     text += fmt::format("  {:<10} {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));

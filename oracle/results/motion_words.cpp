@@ -41,7 +41,7 @@ std::optional<double> period_of(const Scene& scene) {
     if (driver != nullptr) return std::nullopt;
     driver = another;
   }
-  if (driver == nullptr || driver->acceleration != 0 || driver->speed == 0) return std::nullopt;
+  if (driver == nullptr || driver->acceleration != 0 || driver->speed == 0 || driver->shape) return std::nullopt;
   return 2 * std::numbers::pi / std::abs(driver->speed);
 }
 

@@ -92,6 +92,19 @@ std::string sensors_text(const Scene& scene, const MultibodyTrajectory& run) {
 
 }  // namespace
 
+nlohmann::ordered_json driver_extremes_json(const SceneDriver& driver, const DriverExtremes& extremes) {
+  const std::string effort = driver.effort;
+  return {{"max_" + effort, extremes.max_moment.value},
+          {"t_max_" + effort, extremes.max_moment.t},
+          {"min_" + effort, extremes.min_moment.value},
+          {"t_min_" + effort, extremes.min_moment.t}};
+}
+
+std::string driver_words(const SceneDriver& driver, const DriverExtremes& extremes) {
+  return fmt::format("{} from {:.6g} {} at {:.6g} s to {:.6g} {} at {:.6g} s", driver.effort, extremes.min_moment.value,
+                     driver.unit, extremes.min_moment.t, extremes.max_moment.value, driver.unit, extremes.max_moment.t);
+}
+
 nlohmann::ordered_json reaction_json(const Scene& scene, const ReactionExtremes& reaction) {
   nlohmann::ordered_json json{{"name", scene.constraints[reaction.constraint].name},
                               {"max_force", reaction.force.value},
@@ -141,12 +154,11 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
     joints.back()["motion"] = motion_json(motion_outcome(scene, j, run));
     if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
   }
+  const std::vector<SceneDriver> all_drivers = scene_drivers(scene);
   const auto driver_json = [&](std::size_t d) {
-    return nlohmann::ordered_json{{"name", run.driver_names[d]},
-                                  {"max_moment", run.drivers[d].max_moment.value},
-                                  {"t_max_moment", run.drivers[d].max_moment.t},
-                                  {"min_moment", run.drivers[d].min_moment.value},
-                                  {"t_min_moment", run.drivers[d].min_moment.t}};
+    nlohmann::ordered_json json{{"name", all_drivers[d].name}};
+    json.update(driver_extremes_json(all_drivers[d], run.drivers[d]));
+    return json;
   };
   nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
   for (std::size_t d = 0; d < run.drivers.size(); ++d) drivers.push_back(driver_json(d));
@@ -207,9 +219,8 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
     }
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
-    text += fmt::format("driver       {}: moment from {:.6g} N m at {:.6g} s to {:.6g} N m at {:.6g} s\n",
-                        run.driver_names[d], run.drivers[d].min_moment.value, run.drivers[d].min_moment.t,
-                        run.drivers[d].max_moment.value, run.drivers[d].max_moment.t);
+    const SceneDriver driver = scene_drivers(scene)[d];
+    text += fmt::format("driver       {}: {}\n", driver.name, driver_words(driver, run.drivers[d]));
   }
   text += reactions_text(scene, run) + sensors_text(scene, run);
   for (const PassedPosition& each : run.passed) {

@@ -12,6 +12,11 @@ namespace lubjoint::reports {
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run);
 std::string summary_text(const Scene& scene, const MultibodyTrajectory& run);
 
+/// Peaks of a driver's moment: max_moment, t_max_moment, min_moment, t_min_moment; of one that slides, of its force.
+nlohmann::ordered_json driver_extremes_json(const SceneDriver& driver, const DriverExtremes& extremes);
+/// The same in words.
+std::string driver_words(const SceneDriver& driver, const DriverExtremes& extremes);
+
 /// Peaks of a constraint's reaction: name, max_force, t_max_force, max_moment, t_max_moment (none of a pin).
 nlohmann::ordered_json reaction_json(const Scene& scene, const ReactionExtremes& reaction);
 /// The same in words.

@@ -55,7 +55,7 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
   }
   for (const SceneConstraint& each : scene.constraints) {
     const Driver<double>* driver = driver_of(each);
-    if (driver == nullptr) continue;
+    if (driver == nullptr || driver->shape) continue;
     const double ground = driver->first != ground_body ? scene.bodies[driver->first].spin : 0;
     const double given = scene.bodies[driver->second].spin - ground;
     for (const auto& [high, low, word] : {std::tuple{given, driver->speed, "the body's spin"},

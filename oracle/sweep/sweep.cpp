@@ -25,7 +25,7 @@ constexpr const char* joint_extremes[] = {
 constexpr const char* late_joint_extremes[] = {"t",           "max_eccentricity_ratio", "max_force",
                                                "t_max_force", "min_film_thickness",     "t_min_film_thickness"};
 constexpr const char* joint_ends[] = {"ex_over_c", "ey_over_c", "fx", "fy"};
-constexpr const char* driver_extremes[] = {"max_moment", "t_max_moment", "min_moment", "t_min_moment"};
+constexpr const char* driver_extremes[] = {"max_", "t_max_", "min_", "t_min_"};  // of its moment or force
 constexpr const char* reaction_extremes[] = {"max_force", "t_max_force", "max_moment", "t_max_moment"};
 constexpr const char* sensor_extremes[] = {"max", "t_max", "min", "t_min"};
 constexpr const char* costs[] = {"steps", "rejected_steps", "rhs_evaluations"};
@@ -41,11 +41,10 @@ std::vector<std::string> columns_of(const Scene& scene, const SweepGrid& grid, b
     }
     for (const char* name : joint_ends) columns.push_back(joint.name + "." + name);
   }
-  for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<Driver<double>>(each.constraint)) continue;
-    for (const char* name : driver_extremes) columns.push_back(each.name + "." + name);
+  for (const SceneDriver& driver : scene_drivers(scene)) {
+    for (const char* name : driver_extremes) columns.push_back(driver.name + "." + name + driver.effort);
     for (const char* name : driver_extremes) {
-      if (late) columns.push_back(each.name + ".after." + name);
+      if (late) columns.push_back(driver.name + ".after." + name + driver.effort);
     }
   }
   columns.emplace_back("energy_residual");
@@ -90,8 +89,13 @@ std::vector<std::string> fields_of(const Json& run, bool late) {
     add(joint.at("final"), joint_ends);
   }
   for (const Json& driver : run.at("drivers")) {
-    add(driver, driver_extremes);
-    if (late) add(driver.value("after", Json()), driver_extremes);
+    const std::string effort = driver.contains("max_force") ? "force" : "moment";
+    const auto add_driver = [&](const Json& object) {
+      for (const char* name : driver_extremes)
+        fields.push_back(object.is_null() ? std::string() : field(object.at(name + effort)));
+    };
+    add_driver(driver);
+    if (late) add_driver(driver.value("after", Json()));
   }
   fields.push_back(field(run.at("energy_residual")));
   add(run, costs);

@@ -88,6 +88,24 @@ struct RequireConstraint {
     require_finite(driver.angle, "a driver's angle");
     require_finite(driver.speed, "a driver's speed");
     require_finite(driver.acceleration, "a driver's acceleration");
+    require_shape(driver.shape);
+  }
+  void operator()(const SlideDriver<double>& driver) const {
+    require_anchor(driver.first, scene);
+    require_anchor(driver.second, scene);
+    require_finite(driver.position, "a driver's position");
+    require_finite(driver.speed, "a driver's speed");
+    require_finite(driver.acceleration, "a driver's acceleration");
+    require_shape(driver.shape);
+  }
+
+  static void require_shape(const std::shared_ptr<const MotionShape<double>>& shape) {
+    if (!shape) return;
+    require_finite(shape->amplitude, "a swing's amplitude");
+    require_finite(shape->rate, "a swing's speed");
+    require_finite(shape->phase, "a swing's phase");
+    if (!shape->table) return;
+    for (const double knot : shape->table->knots()) require_finite(shape->table->at(knot)[0], "a table's value");
   }
 };
 

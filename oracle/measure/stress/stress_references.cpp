@@ -24,6 +24,17 @@ std::string body_number(std::size_t body) { return body == ground_body ? "ground
 
 std::string anchor_of(const SceneAnchor& anchor) { return body_number(anchor.body) + " " + pair_of(anchor.point); }
 
+/// What a driver's motion has beside its start, speed and acceleration; nothing where there is nothing.
+std::string shape_of(const std::shared_ptr<const MotionShape<double>>& shape) {
+  if (!shape) return {};
+  std::string words = fmt::format(" swing {} {} {}", number(shape->amplitude), number(shape->rate), number(shape->phase));
+  if (!shape->table) return words;
+  words += fmt::format(" table {}", number(shape->delay));
+  for (const double knot : shape->table->knots())
+    words += fmt::format(" {} {}", number(knot), number(shape->table->at(knot)[0]));
+  return words;
+}
+
 /// What a constraint is, for the key; one that is not known here does not compile.
 struct Words {
   std::string operator()(const GroundConstraint<double>& g) const {
@@ -37,8 +48,12 @@ struct Words {
                        number(s.angle));
   }
   std::string operator()(const Driver<double>& d) const {
-    return fmt::format("driver {} {} {} {} {}", d.second, body_number(d.first), number(d.angle), number(d.speed),
-                       number(d.acceleration));
+    return fmt::format("driver {} {} {} {} {}{}", d.second, body_number(d.first), number(d.angle), number(d.speed),
+                       number(d.acceleration), shape_of(d.shape));
+  }
+  std::string operator()(const SlideDriver<double>& d) const {
+    return fmt::format("slide [{}] {} [{}] {} {} {}{}", anchor_of(d.first), pair_of(d.axis), anchor_of(d.second),
+                       number(d.position), number(d.speed), number(d.acceleration), shape_of(d.shape));
   }
 };
 

@@ -72,6 +72,7 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body_numbers(list, scene.bodies[b], b);
   for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
     if (!is_driver(scene.constraints[c])) continue;
+    if (std::get<Driver<double>>(scene.constraints[c].constraint).speed == 0) continue;  // a factor would do nothing
     list.push_back({"the speed of " + scene.constraints[c].name, [c](Scene& changed, double factor) {
                       std::get<Driver<double>>(changed.constraints[c].constraint).speed *= factor;
                     }});
@@ -81,8 +82,14 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
   }
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     list.push_back({"the load on " + scene.bodies[scene.loads[l].body].name, [l](Scene& changed, double factor) {
-                      changed.loads[l].force *= factor;
-                      changed.loads[l].moment *= factor;
+                      SceneLoad& load = changed.loads[l];
+                      load.force *= factor;
+                      load.moment *= factor;
+                      if (load.unbalance) load.unbalance->mass_radius *= factor;
+                      if (load.table) {
+                        load.table->curves =
+                            std::make_shared<const TableCurves<3>>(load.table->curves->scaled(factor));
+                      }
                     }});
   }
   return list;

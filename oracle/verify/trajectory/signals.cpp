@@ -70,8 +70,10 @@ std::vector<Signal> signals_of(const Scene& scene, const Trajectory& reference) 
     signals.add(SignalKind::spin, body.name, "spin", {"omega"}, 0, units.angle * units.rate, 1, "rad/s");
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (!std::holds_alternative<Driver<double>>(each.constraint)) continue;
-    signals.add(SignalKind::moment, each.name, "driving moment", {"moment"}, 0, units.energy, 1, "N m");
+    if (std::holds_alternative<Driver<double>>(each.constraint))
+      signals.add(SignalKind::moment, each.name, "driving moment", {"moment"}, 0, units.energy, 1, "N m");
+    if (std::holds_alternative<SlideDriver<double>>(each.constraint))
+      signals.add(SignalKind::moment, each.name, "driving force", {"force"}, 0, units.energy / units.mechanism, 1, "N");
   }
   for (const char* term : {"kinetic", "potential"}) {
     signals.add(SignalKind::energy, "energy", term, {term}, 0, units.energy, 1, "J");

@@ -11,6 +11,7 @@
 
 #include "lubjoint/motion/contact_events.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
+#include "lubjoint/motion/table_knots.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/run/event_run.hpp"
 
@@ -41,7 +42,7 @@ class MultibodyPieces {
 
   /// @param tolerance  within which a journal that slides is kept on its line, in clearances
   MultibodyPieces(MultibodyOde<R>& ode, ConstraintUpkeep upkeep, const R& tolerance)
-      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance) {
+      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(ode.system()) {
     const std::vector<JointElement<R>>& joints = ode.system().joints();
     for (std::size_t j = 0; j < joints.size(); ++j) {
       if (joints[j].has_contact() || joints[j].has_half_film()) watched_.push_back(j);
@@ -64,6 +65,7 @@ class MultibodyPieces {
       }
     }
     for (const std::size_t j : watched_) changes_.push_back({t, j, ode_.memory()[j]});
+    knots_.start(y);
   }
 
   /// Slides that last to the end of the run end with it.
@@ -80,12 +82,14 @@ class MultibodyPieces {
   const JointElement<R>& joint_of(std::size_t margin) const {
     return ode_.system().joints()[watched_[margin / margins_each]];
   }
+  /// Is a margin the distance to a knot of a table?
+  bool is_of_knot(std::size_t margin) const { return margin >= margins_each * watched_.size(); }
   /// Is a margin one of contact, and not of a half film?
   static bool is_of_contact(std::size_t margin) { return margin % margins_each < 2; }
 
   // What a run asks for (EventSystem).
 
-  bool watches() const { return !watched_.empty(); }                       ///< has any joint pieces?
+  bool watches() const { return !watched_.empty() || !knots_.empty(); }    ///< has any joint or table pieces?
   OdeSystem<R, run_time_size>& equations() { return ode_; }                ///< of the present pieces
   std::size_t coordinates() const { return ode_.system().coordinates(); }  ///< number of q
   /// Every number is finite; films are looked at where forces are asked for.
@@ -94,9 +98,15 @@ class MultibodyPieces {
   }
 
   /// Of each joint with pieces: the inner and the outer seam of its contact, and what ends the side of its film: a = 0,
-  /// or, of one that slides, both ends of the jump.
+  /// or, of one that slides, both ends of the jump. Then the distances to the knots of tables over angles.
   void margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
     list.clear();
+    if (!watched_.empty()) add_joint_margins(t, y, list);
+    knots_.add_margins(y, list);
+  }
+
+  /// Those of joints.
+  void add_joint_margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
     bool slides = false;
     for (const std::size_t j : watched_) slides = slides || ode_.memory()[j].side == FilmSide::sliding;
     if (slides) {
@@ -144,8 +154,12 @@ class MultibodyPieces {
     return projects || moved;
   }
 
-  /// The joint of that margin changes its piece.
+  /// The joint of that margin changes its piece, or a table goes on to its next interval.
   AfterEvent cross(std::size_t margin, const R& t, const State& y) {
+    if (is_of_knot(margin)) {
+      knots_.cross(margin - margins_each * watched_.size());
+      return AfterEvent::keep_pace;
+    }
     const std::size_t j = watched_[margin / margins_each];
     switch (margin % margins_each) {
       case 0:
@@ -451,6 +465,7 @@ class MultibodyPieces {
   ConstraintUpkeep upkeep_;
   State projected_;  ///< a copy: a projection that fails leaves nothing behind
   R tolerance_;
+  TableKnots<R> knots_;
   std::vector<std::size_t> watched_;  ///< joints with pieces
   std::vector<R> slides_since_;       ///< of each joint
   std::vector<bool> unparted_;        ///< of each joint: is it on a side that has not left a = 0 yet?

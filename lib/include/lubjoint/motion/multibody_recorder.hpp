@@ -165,8 +165,9 @@ class MultibodyRecorder {
     bool of_moment;
   };
 
+  /// −λ: the moment of a driver that turns, the force of one that moves along an axis.
   double moment(const SystemWorkspace<R>& w, std::size_t driver) const {
-    return static_cast<double>(ode_.system().reaction_on_second(driver, w)[2]);
+    return static_cast<double>(0 - w.multipliers[ode_.system().first_row(driver)]);
   }
 
   /// What number k of the peaks is of: |e| and |F| of each joint, then the moment of each driver and its opposite, then

@@ -93,7 +93,7 @@ struct JointSlide {
   double end;         ///< [s]
 };
 
-/// Peaks of a driver's moment on its second body [N m].
+/// Peaks of a driver's moment on its second body [N m], or of the force of one that slides [N].
 struct DriverExtremes {
   Peak max_moment{0, 0};  ///< largest
   Peak min_moment{0, 0};  ///< smallest, of either sign

@@ -14,7 +14,7 @@ namespace lubjoint {
 
 /// Any of them.
 template <class R>
-using AnyConstraint = std::variant<GroundConstraint<R>, Revolute<R>, Translational<R>, Driver<R>>;
+using AnyConstraint = std::variant<GroundConstraint<R>, Revolute<R>, Translational<R>, Driver<R>, SlideDriver<R>>;
 
 /// A constraint of a system, and the name that messages and results give it.
 template <class R>
@@ -49,8 +49,10 @@ struct NamedConstraint {
   void visit_points(Visit&& visit) const {
     std::visit([&](auto c) { c.visit_points(visit); }, constraint);
   }
-  /// Does it prescribe a motion, so that its multiplier is a driving moment?
-  bool is_driver() const { return std::holds_alternative<Driver<R>>(constraint); }
+  /// Does it prescribe a motion, so that its multiplier is a driving moment or force?
+  bool is_driver() const {
+    return std::holds_alternative<Driver<R>>(constraint) || std::holds_alternative<SlideDriver<R>>(constraint);
+  }
 };
 
 }  // namespace lubjoint

@@ -36,12 +36,8 @@ struct ForceElements {
       std::visit([&](const auto& s) { s.apply(frame(s.first_body()), frame(s.second_body()), add); }, each.spring);
     }
     for (const MovingLoad<R>& each : loads) {
-      std::visit(
-          [&](const auto& load) {
-            load.apply(frame(load.body()), t,
-                       [&](const Vector2<T>& force, const T& moment) { add(load.body(), force, moment); });
-          },
-          each);
+      const std::size_t body = body_of(each);
+      apply_load<T>(each, t, frame, [&](const Vector2<T>& force, const T& moment) { add(body, force, moment); });
     }
   }
 
@@ -50,14 +46,10 @@ struct ForceElements {
   T load_power(const Time& t, const Frame& frame) const {
     T power(0);
     for (const MovingLoad<R>& each : loads) {
-      std::visit(
-          [&](const auto& load) {
-            const PlanarFrame<T>& body = frame(load.body());
-            load.apply(body, t, [&](const Vector2<T>& force, const T& moment) {
-              power += dot(force, body.velocity) + moment * body.spin;
-            });
-          },
-          each);
+      const PlanarFrame<T>& body = frame(body_of(each));
+      apply_load<T>(each, t, frame, [&](const Vector2<T>& force, const T& moment) {
+        power += dot(force, body.velocity) + moment * body.spin;
+      });
     }
     return power;
   }

@@ -1,9 +1,11 @@
 /// Loads that change with time or with the body they act on. Constant ones through the mass centre are the body's own.
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "lubjoint/multibody/constraint_row.hpp"
+#include "lubjoint/multibody/table_curves.hpp"
 
 namespace lubjoint {
 
@@ -65,8 +67,63 @@ struct Unbalance {
   }
 };
 
+/// A force at a point fixed to a body, and a moment, from a table of time or of a body's angle.
+template <class R>
+struct TableLoad {
+  BodyPoint<R> at;                               ///< where the force acts
+  bool turns_with_body;                          ///< is the force given in the body's axes?
+  std::shared_ptr<const TableCurves<3>> table;   ///< F_x, F_y [N] and M, counter-clockwise positive [N m]
+  bool of_angle;                                 ///< of a body's angle, in place of time?
+  std::size_t against;                           ///< that body
+  R delay;                                       ///< a table of time is read at t + delay [s]
+
+  /// On another scalar.
+  template <class S>
+  TableLoad<S> cast() const {
+    return {at.template cast<S>(), turns_with_body, table, of_angle, against, S(delay)};
+  }
+  std::size_t body() const { return at.body; }  ///< that it acts on
+
+  /// As that of a point load, with frame(body), the frames of bodies.
+  template <class T, class Time, class Frame, class Add>
+  void apply_with(const Frame& frame_of, const Time& t, const Add& add) const {
+    const auto from = [&](const auto& x) {
+      const auto values = table->at(x);
+      const PlanarFrame<T>& frame = frame_of(at.body);
+      const T along_x(values[0]);
+      const T along_y(values[1]);
+      const Vector2<T> given(along_x, along_y);
+      const Vector2<T> acting = turns_with_body ? Vector2<T>(T(frame.cosine * given.x() - frame.sine * given.y()),
+                                                             T(frame.sine * given.x() + frame.cosine * given.y()))
+                                                : given;
+      add(acting, T(T(values[2]) + cross(inertial_vector(frame, at.point), acting)));
+    };
+    if (of_angle) {
+      from(frame_of(against).angle);
+    } else {
+      from(Time(t + delay));
+    }
+  }
+};
+
 /// Any of them.
 template <class R>
-using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>>;
+using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>, TableLoad<R>>;
+
+/// Adds force and moment of a load about its body's mass centre: add(force, moment).
+/// @param frame  frame(body) is the frame of a body
+template <class T, class R, class Time, class Frame, class Add>
+void apply_load(const MovingLoad<R>& load, const Time& t, const Frame& frame, const Add& add) {
+  if (const auto* table = std::get_if<TableLoad<R>>(&load)) return table->template apply_with<T>(frame, t, add);
+  if (const auto* unbalance = std::get_if<Unbalance<R>>(&load)) return unbalance->apply(frame(unbalance->body()), t, add);
+  const auto& point = std::get<PointLoad<R>>(load);
+  point.apply(frame(point.body()), t, add);
+}
+
+/// Number of the body that a load acts on.
+template <class R>
+std::size_t body_of(const MovingLoad<R>& load) {
+  return std::visit([](const auto& each) { return each.body(); }, load);
+}
 
 }  // namespace lubjoint

@@ -27,6 +27,7 @@ struct Margin {
 /// What follows an event.
 enum class AfterEvent {
   go_on,     ///< the system has changed its equations: the same states, another piece
+  keep_pace, ///< so it has, but the rate has not jumped, its derivatives alone: steps stay as long as they were
   hand_over  ///< another system takes over, as where sliding leaves fewer states
 };
 
@@ -171,7 +172,9 @@ class EventRun {
             return {RunEnd::stuck, event->margin};
           }
           dt = std::max<R>((t - step_.t_old) / 1000, R(1e-9) * t_end);
-          if (system_.cross(event->margin, t, y) == AfterEvent::hand_over) return {RunEnd::handed_over, event->margin};
+          const AfterEvent after = system_.cross(event->margin, t, y);
+          if (after == AfterEvent::hand_over) return {RunEnd::handed_over, event->margin};
+          if (after == AfterEvent::keep_pace) dt = wanted;
           method_.reset();
           system_.equations().rate(y, step_.rate_new, t);
           continue;
@@ -184,6 +187,7 @@ class EventRun {
         }
       }
       if (!observe(step_, state_at, stepped_at)) return {RunEnd::refused, 0};
+      if (!settings_.knots.empty() && knots_until(t) != knots_until(step_.t_old)) method_.reset();
     }
     t = t_end;
     return {RunEnd::duration_reached, 0};
@@ -232,9 +236,20 @@ class EventRun {
     bool located;  ///< and event_state_ is the state there
   };
 
-  /// The end, or the next output where steps are to end at outputs.
+  /// How many knots lie up to a time, those within its rounding counted.
+  std::size_t knots_until(const R& t) const {
+    const double reached = static_cast<double>(t) * (1 + 4 * std::numeric_limits<double>::epsilon());
+    return static_cast<std::size_t>(std::upper_bound(settings_.knots.begin(), settings_.knots.end(), reached) -
+                                    settings_.knots.begin());
+  }
+
+  /// The end, the next knot, or the next output where steps are to end at outputs.
   R next_stop(const R& t) const {
-    const R t_end(settings_.duration);
+    R t_end(settings_.duration);
+    if (!settings_.knots.empty()) {
+      const std::size_t next = knots_until(t);
+      if (next < settings_.knots.size()) t_end = std::min<R>(t_end, R(settings_.knots[next]));
+    }
     if (!settings_.stop_at_outputs) return t_end;
     const R interval(settings_.output_interval);
     using std::floor;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace lubjoint {
 
@@ -40,6 +41,8 @@ struct RunSettings {
   double output_interval = 1e-3;       ///< [s]
   bool stop_at_outputs = false;        ///< steps of a multibody run end at the output times: no sample is interpolated
   std::size_t max_steps = 20'000'000;  ///< accepted and rejected together
+  /// Times at which derivatives of the equations jump, ascending: a step ends there, and the method starts anew [s].
+  std::vector<double> knots = {};
 };
 
 }  // namespace lubjoint

@@ -80,6 +80,13 @@ PlanarSystem<R> planar_system(const Scene& scene) {
   for (const SceneLoad& load : scene.loads) {
     if (load.unbalance) {
       elements.loads.push_back(Unbalance<R>{load.body, R(load.unbalance->mass_radius), R(load.unbalance->phase)});
+    } else if (load.table) {
+      elements.loads.push_back(TableLoad<R>{{load.body, load.point.template cast<R>()},
+                                            load.turns_with_body,
+                                            load.table->curves,
+                                            load.table->of_angle,
+                                            load.table->against,
+                                            R(load.table->delay)});
     } else if (!load.is_constant()) {
       const SceneHarmonic harmonic = load.harmonic.value_or(SceneHarmonic());
       elements.loads.push_back(PointLoad<R>{{load.body, load.point.template cast<R>()},

@@ -12,10 +12,17 @@
 #include "lubjoint/multibody/constraint.hpp"
 #include "lubjoint/multibody/sensor.hpp"
 #include "lubjoint/multibody/spring.hpp"
+#include "lubjoint/multibody/table_curves.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "lubjoint/run/outcome.hpp"
 
 namespace lubjoint {
+
+/// A point of a body that has a name.
+struct ScenePoint {
+  std::string name;             ///< unique on its body
+  Vector2<double> place{0, 0};  ///< from the mass centre, in the body's axes [m]
+};
 
 /// A rigid body in the plane and its state at t = 0.
 struct SceneBody {
@@ -28,6 +35,7 @@ struct SceneBody {
   Vector2<double> velocity{0, 0};  ///< of the mass centre [m/s]
   double spin = 0;                 ///< [rad/s]
   bool spin_is_held = false;       ///< prescribed for the whole run, by whatever torque that takes
+  std::vector<ScenePoint> points;  ///< that anchors, loads and sensors may name
 };
 
 /// What the driver is called that holds a body's spin; its moment is the one that this takes.
@@ -45,6 +53,14 @@ struct SceneUnbalance {
   double phase = 0;        ///< from the body's x axis [rad]
 };
 
+/// What a load has from a table of time or of a body's angle.
+struct SceneTable {
+  std::shared_ptr<const TableCurves<3>> curves;  ///< F_x, F_y [N] and M [N m]
+  bool of_angle = false;                         ///< of the angle of `against`, in place of time?
+  std::size_t against = 0;                       ///< number of that body
+  double delay = 0;                              ///< a table of time is read at t + delay [s]
+};
+
 /// A force on a body, and a moment: constant, unless it says otherwise.
 struct SceneLoad {
   std::size_t body = 0;                          ///< its number in Scene::bodies
@@ -54,9 +70,10 @@ struct SceneLoad {
   bool turns_with_body = false;                  ///< is the force given in the body's axes?
   std::optional<SceneHarmonic> harmonic = {};    ///< none: constant
   std::optional<SceneUnbalance> unbalance = {};  ///< in place of force and moment
+  std::optional<SceneTable> table = {};          ///< likewise
 
   /// Is it constant, inertial and through the mass centre, whatever the motion?
-  bool is_constant() const { return !turns_with_body && !harmonic && !unbalance && is_zero(point); }
+  bool is_constant() const { return !turns_with_body && !harmonic && !unbalance && !table && is_zero(point); }
 };
 
 /// One side of a joint: a point fixed to a body, from its mass centre, or to the ground, inertial.
@@ -141,6 +158,19 @@ bool is_free_journal(const Scene& scene);
 
 /// Is it one whose mass is 0? Its film carries the load at every moment: two states.
 bool is_massless_journal(const Scene& scene);
+
+/// What prescribes a motion in a scene that runs as a mechanism.
+struct SceneDriver {
+  std::string name;                ///< of the constraint, or of a body's held spin
+  const char* effort = "moment";   ///< what it does to its second body: "moment" or, along a guide, "force"
+  const char* unit = "N m";        ///< of that
+};
+
+/// All drivers, in the order of a run's results: constraints, then held spins. None of a free journal.
+std::vector<SceneDriver> scene_drivers(const Scene& scene);
+
+/// Times within the run at which tables of time have knots, ascending [s].
+std::vector<double> scene_knots(const Scene& scene);
 
 /// Number of works in the scene's ledger, if it has one: those of dampers only where there are any.
 std::size_t ledger_works(const Scene& scene);

@@ -38,8 +38,8 @@ struct MultibodyTrajectory {
   StartCorrection<double> correction;       ///< what bringing the start onto the constraints has changed
   std::vector<MultibodySample> samples;     ///< one each output interval, and the last state
   std::vector<JointExtremes> joints;        ///< in the scene's order
-  std::vector<std::string> driver_names;    ///< in the scene's order
-  std::vector<DriverExtremes> drivers;      ///< their moments, in the same order
+  std::vector<std::string> driver_names;    ///< in the order of scene_drivers
+  std::vector<DriverExtremes> drivers;      ///< their moments or forces, in the same order
   std::vector<ReactionExtremes> reactions;  ///< of the constraints that are no drivers, in the scene's order
   std::vector<SensorExtremes> sensors;      ///< of every value of every sensor, in the scene's order
   std::vector<PassedPosition> passed;       ///< singular positions, in a scene that passes them

@@ -1,0 +1,238 @@
+#include "lubjoint/scene/periodic_orbit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "multibody_simulation.hpp"
+
+namespace lubjoint {
+
+namespace {
+
+using State = std::vector<double>;
+using Vector = Eigen::VectorXd;
+
+constexpr std::size_t most_iterations = 20;
+constexpr double step_share = 1e-4;  ///< of a unit, for differences: a clearance's ten-thousandth
+constexpr std::size_t first_periods = 2;
+
+/// The free directions at a state, and a state's coordinates along them, in the scene's units.
+class FreeDirections {
+ public:
+  FreeDirections(const Scene& scene, const PlanarSystem<double>& system, const State& y)
+      : n_(static_cast<Eigen::Index>(system.coordinates())), reference_(y), unit_(2 * n_) {
+    const SceneUnits units = scene_units(scene);
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      unit_(i) = i % 3 == 2 ? units.angle : units.length;
+      unit_(n_ + i) = unit_(i) * units.rate;
+    }
+    if (system.constraint_rows() == 0) {
+      basis_ = Eigen::MatrixXd::Identity(n_, n_);
+      return;
+    }
+    SystemWorkspace<double> w = system.workspace<double>();
+    system.evaluate_kinematics(0.0, y.data(), w);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(w.rows.size()), n_);
+    for (std::size_t row = 0; row < w.rows.size(); ++row) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t first = system.first_body_of_row(row);
+        const std::size_t second = system.second_body_of_row(row);
+        const auto at = static_cast<Eigen::Index>(row);
+        if (first != ground_body) rows(at, static_cast<Eigen::Index>(3 * first + k)) += w.rows[row].first[k];
+        if (second != ground_body) rows(at, static_cast<Eigen::Index>(3 * second + k)) += w.rows[row].second[k];
+      }
+    }
+    // In the units' metric: what is orthogonal to every row.
+    const Eigen::MatrixXd scaled = rows * unit_.head(n_).asDiagonal();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(scaled.transpose());
+    const Eigen::MatrixXd q = decomposition.householderQ();
+    basis_ = q.rightCols(n_ - decomposition.rank());
+  }
+
+  Eigen::Index count() const { return 2 * basis_.cols(); }
+
+  /// The difference of two states along the free directions.
+  Vector between(const State& from, const State& to) const {
+    Vector difference(2 * n_);
+    for (Eigen::Index i = 0; i < 2 * n_; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      // Angles of bodies that turn: whole turns are none.
+      const double d = i < n_ && i % 3 == 2 ? std::remainder(to[k] - from[k], 2 * std::numbers::pi) : to[k] - from[k];
+      difference(i) = d / unit_(i);
+    }
+    Vector result(count());
+    result << basis_.transpose() * difference.head(n_), basis_.transpose() * difference.tail(n_);
+    return result;
+  }
+
+  /// A state moved along them; a run brings it onto the constraints.
+  State moved(const State& y, const Vector& z) const {
+    const Vector q = basis_ * z.head(basis_.cols());
+    const Vector v = basis_ * z.tail(basis_.cols());
+    State result = y;
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      result[static_cast<std::size_t>(i)] += unit_(i) * q(i);
+      result[static_cast<std::size_t>(n_ + i)] += unit_(n_ + i) * v(i);
+    }
+    return result;
+  }
+
+ private:
+  Eigen::Index n_;
+  State reference_;
+  Vector unit_;
+  Eigen::MatrixXd basis_;
+};
+
+void put_start(Scene& scene, const State& y) {
+  const std::size_t n = y.size() / 2;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    SceneBody& body = scene.bodies[b];
+    body.position = {y[3 * b], y[3 * b + 1]};
+    body.angle = y[3 * b + 2];
+    body.velocity = {y[n + 3 * b], y[n + 3 * b + 1]};
+    body.spin = y[n + 3 * b + 2];
+  }
+}
+
+class Shooting {
+ public:
+  Shooting(const Scene& scene, double period) : scene_(scene) {
+    scene_.run.duration = period;
+    scene_.run.output_interval = period;
+    scene_.energy_ledger = false;
+    scene_.sensors.clear();
+  }
+
+  /// A start that fulfils the constraints.
+  State on_constraints(const State& y) {
+    put_start(scene_, y);
+    return detail::prepare(scene_).start;
+  }
+
+  /// The state a period after a start.
+  State after_period(const State& start) {
+    put_start(scene_, start);
+    const MultibodyTrajectory run = simulate_multibody(scene_);
+    ++runs;
+    if (run.outcome.status != RunStatus::finished) {
+      throw SceneError(scene_.file + ": a period from a start that was tried " + run.outcome.message +
+                       "; allowed is a scene whose runs reach the end of the period from near its start");
+    }
+    State end = run.samples.back().state;
+    end.resize(start.size());  // without works
+    return end;
+  }
+
+  std::size_t runs = 0;
+
+ private:
+  Scene scene_;
+};
+
+/// A driver that holds the angle of a body to a constant speed [rad/s].
+std::optional<double> even_speed(const Scene& scene, std::size_t body) {
+  if (scene.bodies[body].spin_is_held) return std::abs(scene.bodies[body].spin);
+  for (const SceneConstraint& each : scene.constraints) {
+    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
+    if (driver == nullptr || driver->second != body || driver->first != ground_body) continue;
+    if (driver->acceleration == 0 && !driver->shape) return std::abs(driver->speed);
+  }
+  return std::nullopt;
+}
+
+/// Does a time hold a period a whole number of times, to rounding of a file's digits?
+bool holds(double time, double period) {
+  const double count = std::round(time / period);
+  return count >= 1 && std::abs(time - count * period) <= 1e-9 * time;
+}
+
+}  // namespace
+
+std::optional<double> scene_period(const Scene& scene) {
+  std::vector<double> periods;
+  bool repeats = true;
+  for (const SceneLoad& load : scene.loads) {
+    if (load.harmonic) periods.push_back(2 * std::numbers::pi / load.harmonic->rate);
+    if (!load.table) continue;
+    if (load.table->of_angle) {
+      const std::optional<double> speed = even_speed(scene, load.table->against);
+      repeats = repeats && speed && *speed > 0;
+      if (repeats) periods.push_back(load.table->curves->length() / *speed);
+    } else {
+      repeats = repeats && load.table->curves->is_periodic();
+      periods.push_back(load.table->curves->length());
+    }
+  }
+  for (const SceneConstraint& each : scene.constraints) {
+    if (!each.is_driver()) continue;
+    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
+    repeats = repeats && driver != nullptr && driver->acceleration == 0 && !driver->shape;
+    if (repeats && driver->speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver->speed));
+  }
+  for (const SceneBody& body : scene.bodies) {
+    if (body.spin_is_held && body.spin != 0) periods.push_back(2 * std::numbers::pi / std::abs(body.spin));
+  }
+  if (!repeats || periods.empty()) return std::nullopt;
+  const double longest = *std::max_element(periods.begin(), periods.end());
+  for (int count = 1; count <= 24; ++count) {
+    const double period = count * longest;
+    if (std::all_of(periods.begin(), periods.end(), [&](double each) { return holds(period, each); })) return period;
+  }
+  return std::nullopt;
+}
+
+PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance) {
+  if (is_free_journal(scene)) {
+    throw SceneError(scene.file +
+                     ": a journal under constant loads has no period; allowed is a scene with a driver, a table or a "
+                     "harmonic load, or the command equilibrium");
+  }
+  Shooting shooting(scene, period);
+  const PlanarSystem<double> system = planar_system<double>(scene);
+  PeriodicOrbit orbit;
+  orbit.period = period;
+  State y = shooting.on_constraints(scene_start<double>(scene));
+  const FreeDirections free(scene, system, y);
+  if (free.count() == 0) {
+    throw SceneError(scene.file + ": the drivers leave nothing free; allowed is a scene whose motion is not prescribed");
+  }
+  const State at_start = y;
+  // Driven bodies begin every period as the first one; the free directions are those of the start.
+  const auto renewed = [&](const State& end) {
+    return shooting.on_constraints(free.moved(at_start, free.between(at_start, end)));
+  };
+  for (std::size_t i = 0; i < first_periods; ++i) y = renewed(shooting.after_period(y));
+  while (true) {
+    const State end = shooting.after_period(y);
+    const Vector miss = free.between(y, end);
+    orbit.miss = miss.cwiseAbs().maxCoeff();
+    Eigen::MatrixXd slope(free.count(), free.count());
+    for (Eigen::Index k = 0; k < free.count(); ++k) {
+      const State other = shooting.on_constraints(free.moved(y, step_share * Vector::Unit(free.count(), k)));
+      slope.col(k) = free.between(end, shooting.after_period(other)) / step_share;
+    }
+    orbit.largest_multiplier = slope.eigenvalues().cwiseAbs().maxCoeff();
+    if (orbit.miss <= tolerance) break;
+    if (++orbit.iterations > most_iterations) {
+      std::ostringstream message;
+      message << scene.file << ": no motion of period " << period << " s after " << most_iterations
+              << " iterations, whose last left " << orbit.miss
+              << " clearances between its ends; allowed is a start nearer to one, a looser tolerance, or another period";
+      throw SceneError(message.str());
+    }
+    const Vector step =
+        (Eigen::MatrixXd::Identity(free.count(), free.count()) - slope).colPivHouseholderQr().solve(miss);
+    y = shooting.on_constraints(free.moved(y, step));
+  }
+  orbit.state = y;
+  orbit.runs = shooting.runs;
+  return orbit;
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,46 @@
+/// Tables that a scene file names: CSV files beside it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "lubjoint/scene/scene.hpp"
+#include "table_reader.hpp"
+
+namespace lubjoint {
+
+/// Columns of a table, the first one ascending.
+struct TableColumns {
+  std::vector<std::string> names;            ///< of the file's header
+  std::vector<std::vector<double>> columns;  ///< in that order, all of one length, two rows or more
+
+  /// @returns nothing if there is none of that name
+  const std::vector<double>* find(std::string_view name) const;
+};
+
+/// The file at the key "table", its path relative to the scene's.
+/// @param first  what its first column may be called;  @param others  what the others may be called
+/// @throws SceneError  as do all below: naming file, line and column where the table itself is wrong
+TableColumns read_table_file(TableReader& table, const std::vector<std::string_view>& first,
+                             const std::vector<std::string_view>& others);
+
+/// Cubics between knots by the name of their interpolation: linear, pchip or makima (Boost.Math's slopes; the first and
+/// the last of a periodic table are those of its neighbours beyond the ends).
+std::vector<TableCurves<3>::Cubic> interpolated(const std::vector<double>& knots, const std::vector<double>& values,
+                                                std::string_view interpolation, bool periodic);
+
+/// The cubic spline through four points or more whose second derivative has no jump, and whose third has none at the
+/// second and the last knot but one ("not a knot").
+std::vector<TableCurves<1>::Cubic> spline(const std::vector<double>& knots, const std::vector<double>& values);
+
+/// A load's table and the keys that say how it is read.
+SceneTable read_load_table(TableReader& table, const Scene& scene);
+
+/// A table of time of the motion that a driver prescribes.
+/// @param quantity  what its second column is called
+std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, const Scene& scene,
+                                                        std::string_view quantity);
+
+}  // namespace lubjoint
