@@ -14,7 +14,7 @@ trap 'rm -rf "$place"' EXIT
 # Of a copy: setuptools leaves files in the folder that it builds from.
 mkdir -p "$place/source/data"
 cp -r "$source/pyproject.toml" "$source/lib" "$place/source"
-cp -r "$source/data/golden" "$place/source/data"
+cp -r "$source/data/golden" "$source/data/films" "$place/source/data"
 "$python" -m venv --system-site-packages "$place/env"
 (cd "$place/source" && "$place/env/bin/pip" install -q --disable-pip-version-check --no-build-isolation .)
 shift 2

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "film_tables.hpp"
 #include "lubjoint.h"
 #include "lubjoint/film/batch.hpp"
-#include "lubjoint/film/every_law.hpp"
 
 namespace lubjoint::c {
 
@@ -68,6 +68,9 @@ int guarded(const Work& work) noexcept {
   } catch (const ForceRowError& error) {
     say(error.what());
     return ERANGE;
+  } catch (const NoTableError& error) {
+    say(error.what());
+    return ENOENT;
   } catch (const std::bad_alloc&) {
     say("no memory");
     return ENOMEM;

@@ -1,5 +1,5 @@
 #include "array_rows.hpp"
-#include "lubjoint/film/coefficients.hpp"
+#include "film_at_rest.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::c;
@@ -22,12 +22,15 @@ int lubjoint_film_coefficients(const char* law, const lubjoint_bearing* bearing,
     }
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    require_law_at_rest(law);
-    with_film_law(law, [&]<class Law>() {
+    with_law_at_rest(law, geometry, [&]<class Law>(const Law& named) {
+      const double scale = force_scale(Law::limit, geometry, oil);
+      const auto force_ratio = [&named](const PolarFilmState<double>& film) { return ratio_at_rest(named, film); };
       for (std::size_t i = 0; i < n; ++i) {
         try {
-          const auto rest =
-              steady_film<Law>(geometry, oil, SteadyPlace<double>(at(eccentricity_ratio, i)), at(omega, i));
+          const SteadyPlace<double> place(at(eccentricity_ratio, i));
+          const double spin = at(omega, i);
+          const auto rest = steady_film_of<double>(geometry, scale, force_ratio, place, spin,
+                                                   coefficients_at_rest(named, place, spin < 0 ? -1 : 1));
           const auto& k = rest.stiffness;
           const auto& c = rest.damping;
           const double row[] = {rest.load, rest.attitude, k(0, 0), k(0, 1), k(1, 0),

@@ -1,4 +1,5 @@
 #include "array_rows.hpp"
+#include "film_at_rest.hpp"
 #include "lubjoint/film/steady_place.hpp"
 
 using namespace lubjoint;
@@ -7,8 +8,9 @@ using namespace lubjoint::c;
 namespace {
 
 /// @throws FilmDomainError unless the load is finite and above 0, the spin finite and not 0, and the film carries it
-template <class Law>
-SteadyPlace<double> place_of(double scale, double load, double omega) {
+/// @param force_ratio  F/S of a steady film
+template <class Force>
+SteadyPlace<double> place_of(const Force& force_ratio, double scale, double load, double omega) {
   std::ostringstream message;
   message.precision(17);
   if (!(load > 0) || !std::isfinite(load)) {
@@ -16,7 +18,7 @@ SteadyPlace<double> place_of(double scale, double load, double omega) {
   } else if (!std::isfinite(omega) || omega == 0) {
     message << "no steady state at spin " << omega << " rad/s; allowed is a finite spin other than 0";
   } else {
-    const auto place = steady_place<Law, double>(load / scale / std::abs(omega));
+    const auto place = steady_place_of(force_ratio, load / scale / std::abs(omega));
     if (place) return *place;
     message << "no steady state under a load of " << load << " N at spin " << omega
             << " rad/s; allowed is a load that the film carries at an eccentricity ratio from 1e-300 to 1 - 1e-15";
@@ -39,14 +41,16 @@ int lubjoint_film_equilibrium(const char* law, const lubjoint_bearing* bearing, 
     }
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    require_law_at_rest(law);
-    with_film_law(law, [&]<class Law>() {
-      const double scale = force_scale(Law::limit, geometry, oil);
+    const auto places = [&](BearingLimit limit, const auto& force_ratio) {
+      const double scale = force_scale(limit, geometry, oil);
       for_rows(n, eccentricity_ratio, attitude, [&](std::size_t i) {
-        const SteadyPlace<double> place = place_of<Law>(scale, at(load, i), at(omega, i));
-        const PolarForce<double> f = polar_force_ratio<Law>(place.film(1));
+        const SteadyPlace<double> place = place_of(force_ratio, scale, at(load, i), at(omega, i));
+        const PolarForce<double> f = force_ratio(place.film(1));
         return Vector2<double>(place.eccentricity_ratio, std::atan2(f.tangential, -f.radial));
       });
+    };
+    with_law_at_rest(law, geometry, [&]<class Law>(const Law& named) {
+      places(Law::limit, [&named](const PolarFilmState<double>& film) { return ratio_at_rest(named, film); });
     });
   });
 }

@@ -1,4 +1,5 @@
 #include "array_rows.hpp"
+#include "lubjoint/film/compiled_mobility.hpp"
 #include "lubjoint/film/mobility.hpp"
 #include "lubjoint/film/shaped_mobility.hpp"
 
@@ -7,11 +8,14 @@ using namespace lubjoint::c;
 
 namespace {
 
-template <AnyFilmLaw Law>
-Mobility<double> mobility_of(const Bearing<double>& bearing, const Lubricant<double>& oil, const Vector2<double>& place,
-                             const Vector2<double>& force) {
+template <class Law>
+Mobility<double> mobility_of([[maybe_unused]] const Law& law, const Bearing<double>& bearing,
+                             const Lubricant<double>& oil, const Vector2<double>& place, const Vector2<double>& force) {
   if constexpr (FilmLaw<Law>) {
     return mobility<Law>(bearing, oil, place, force);
+  } else if constexpr (CompiledLaw<Law>) {
+    const double q = one_minus_squared_norm<double>(place.x(), place.y());
+    return compiled_mobility(law, place, q, Vector2<double>(force / force_scale(Law::limit, bearing, oil)));
   } else if constexpr (std::is_same_v<Law, MoesImpedance>) {
     const double q = one_minus_squared_norm<double>(place.x(), place.y());
     const Vector2<double> ratio = force / force_scale(Law::limit, bearing, oil);
@@ -57,13 +61,12 @@ int lubjoint_film_mobility(const char* law, const lubjoint_bearing* bearing, siz
     }
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
-      if (n == 0) return;
+    with_law(law, geometry, [&](const auto& named) {
       for (std::size_t i = 0; i < n; ++i) {
         try {
           const Mobility<double> found =
-              mobility_of<Law>(geometry, oil, Vector2<double>(at(ex_over_c, i), at(ey_over_c, i)),
-                               Vector2<double>(at(fx, i), at(fy, i)));
+              mobility_of(named, geometry, oil, Vector2<double>(at(ex_over_c, i), at(ey_over_c, i)),
+                          Vector2<double>(at(fx, i), at(fy, i)));
           if (!is_finite(found.velocity) || !is_finite(found.other)) throw ForceRowError(i);
           put_velocity(mobility->ux, mobility->uy, i, found.velocity);
           if (has_other) put_velocity(mobility->other_ux, mobility->other_uy, i, found.other);

@@ -14,9 +14,21 @@ int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, siz
       require("fx", fx.data);
       require("fy", fy.data);
     }
-    require_film_law<EveryFilmLaw>(law);
+    require_film_law<NamedFilmLaws>(law);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
+    if (const auto table = table_of(law, geometry)) {
+      std::visit(
+          [&]<class Law>(const Law& compiled) {
+            const double scale = force_scale(Law::limit, geometry, oil);
+            for_rows(n, fx, fy, [&](std::size_t i) {
+              const FilmState<double> film = film_state(motion_at(*motion, i), geometry.clearance());
+              return Vector2<double>(scale * compiled_force_ratio(compiled, film));
+            });
+          },
+          table->law);
+      return;
+    }
     const std::array in = {motion->ex,           motion->ey, motion->vx, motion->vy, motion->omega_bearing,
                            motion->omega_journal};
     for_blocks(n, in, fx, fy, [&](const auto& m, const ForceArrays& forces) {

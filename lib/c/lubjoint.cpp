@@ -20,5 +20,5 @@ const char* lubjoint_message(void) { return message.data(); }
 const char* lubjoint_version(void) { return LUBJOINT_VERSION; }
 
 const char* lubjoint_law_name(size_t i) {
-  return i < lubjoint::every_law_names.size() ? lubjoint::every_law_names[i].data() : nullptr;
+  return i < lubjoint::named_film_laws.size() ? lubjoint::named_film_laws[i].data() : nullptr;
 }

@@ -2,6 +2,7 @@
  *
  * Units are SI. No function throws or prints. Each returns 0, or an error number of <errno.h>:
  *   EINVAL  an argument is not allowed: an unknown law, a bearing that can't be, a null pointer
+ *   ENOENT  the law is compiled for a length over diameter, and no table for the bearing's was given
  *   EDOM    a row of the arrays has no film: the eccentricity ratio is outside [0, 1), or a number is not finite
  *   ERANGE  a force is beyond the range of double precision
  *   ENOMEM  no memory
@@ -62,7 +63,8 @@ typedef struct lubjoint_contact {
   double impact_speed; /* at which the journal last crossed e = c outwards [m/s], above 0 */
 } lubjoint_contact;
 
-/* What the oil costs, to be written. side_flow.data may be null, and must be for a long bearing, which has none. */
+/* What the oil costs, to be written. side_flow.data may be null, and must be for a long bearing, which has
+ * none, and for a compiled law, which has the force of its film alone. */
 typedef struct lubjoint_losses {
   lubjoint_out torque_journal; /* on the journal about its centre [N m] */
   lubjoint_out torque_bearing; /* on the bearing about its centre [N m] */
@@ -102,8 +104,27 @@ LUBJOINT_API const char* lubjoint_message(void);
 LUBJOINT_API const char* lubjoint_version(void);
 
 /* Name of law number i from 0 on; null after the last. Laws of the squeeze alone (squeeze_*) bear no journal at rest, and
- * moes_impedance and butenschoen are fits: none of them has film coefficients. butenschoen takes L/D up to 1. */
+ * moes_impedance and butenschoen are fits: none of them has film coefficients. butenschoen takes L/D up to 1. The last
+ * four, finite_*, are tables: lubjoint_load_film. */
 LUBJOINT_API const char* lubjoint_law_name(size_t i);
+
+/* Laws of a film of finite length, finite_full, finite_half, finite_dynamic and finite_reynolds, are tables, each
+ * compiled for one length over diameter L/(2R) from 0.05 to 10. A process is given them once, as text or as a file of
+ * `lubjoint compile-film`, and after that they are laws like the others in every function here, for bearings of that
+ * L/D (to 1e-12) and from all threads. One of the same law and L/D takes the place of the one before.
+ * EINVAL: the text is no table, or not all of one (a checksum is part of it). */
+LUBJOINT_API int lubjoint_use_film(const char* text);
+LUBJOINT_API int lubjoint_load_film(const char* file);
+
+/* What a table says of itself, to be written. */
+typedef struct lubjoint_film {
+  double length_to_diameter;
+  double ratio_limit; /* eccentricity ratio up to which the error was measured; beyond, it is not known */
+  double error;       /* bound of |F - F_solved|/|F| there, F_solved by the solvers of Reynolds' equation */
+} lubjoint_film;
+
+/* The table that answers for a law in a bearing. EINVAL: a law that is a formula. */
+LUBJOINT_API int lubjoint_film_of(const char* law, const lubjoint_bearing* bearing, lubjoint_film* film);
 
 /* Force of the film on the journal, radial (along the eccentricity) and tangential (90 degrees counter-clockwise), of
  * n states with eccentricity ratio, slip rate a and squeeze rate b [1/s]. */
@@ -115,8 +136,23 @@ LUBJOINT_API int lubjoint_polar_force(const char* law, const lubjoint_bearing* b
 LUBJOINT_API int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, size_t n,
                                         const lubjoint_motion* motion, lubjoint_out fx, lubjoint_out fy);
 
+/* Force on the journal and its derivatives, to be written. */
+typedef struct lubjoint_jacobian {
+  lubjoint_out fx, fy;         /* [N] */
+  lubjoint_out by_place[4];    /* dfx/dex, dfx/dey, dfy/dex, dfy/dey [N/m] */
+  lubjoint_out by_velocity[4]; /* dfx/dvx, dfx/dvy, dfy/dvx, dfy/dvy [N s/m] */
+} lubjoint_jacobian;
+
+/* The same force with its derivatives at given spins: stiffness is minus by_place, damping minus by_velocity. With
+ * e = c e^ and u = (v - (omega_journal + omega_bearing)/2 e_perp)/c they are S/c times those of F/S by e^ and u, which
+ * are exact to rounding, a compiled law's those of its table. At rest (u = 0), and where a half film jumps, they are
+ * those of one side. */
+LUBJOINT_API int lubjoint_force_jacobian(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                         const lubjoint_motion* motion, const lubjoint_jacobian* jacobian);
+
 /* Friction torques, power and side flow. shear: "film" (where the law's film is), "flooded" or, for half films,
- * "striated". Without it no law resists the spin. */
+ * "striated"; finite_reynolds, whose table does not know where its film ends, has "flooded" alone. Without it no
+ * law resists the spin. */
 LUBJOINT_API int lubjoint_film_losses(const char* law, const lubjoint_bearing* bearing, const char* shear, size_t n,
                                       const lubjoint_motion* motion, const lubjoint_losses* losses);
 

@@ -21,10 +21,17 @@ int lubjoint_transition_force(const char* law, const lubjoint_bearing* bearing, 
     const TransitionTolerances<double> tolerances(contact->e0, contact->e1);
     const ContactSurface<double> surface{contact->stiffness, contact->restitution};
     require_contact(surface, contact->impact_speed);
-    with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
+    with_law(law, geometry, [&]<class Law>(const Law& named) {
+      const auto film = [&](const Bearing<double>& wide, const FilmState<double>& state) {
+        if constexpr (CompiledLaw<Law>) {
+          return film_force(named, wide, oil, state);
+        } else {
+          return film_force<Law>(wide, oil, state);
+        }
+      };
       for_rows(n, fx, fy, [&](std::size_t i) {
-        return touching_journal_force<Law>(geometry, oil, tolerances, surface, motion_at(*motion, i),
-                                           contact->impact_speed);
+        return touching_journal_force_of(geometry, tolerances, surface, motion_at(*motion, i), contact->impact_speed,
+                                         film);
       });
     });
   });

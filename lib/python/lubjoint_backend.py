@@ -1,4 +1,4 @@
-"""Build backend: setuptools, with the two shared libraries built by CMake beforehand, and the golden data.
+"""Build backend: setuptools, with the three shared libraries built by CMake beforehand, the golden data, and the tables of films that ship.
 
 LUBJOINT_BUILT names a folder in which CMake has built them already.
 """
@@ -19,7 +19,9 @@ _package = pathlib.Path(__file__).resolve().parent / "lubjoint"
 _header = (_source / "lib/include/lubjoint/version.hpp").read_text()
 _number = r"^#define LUBJOINT_VERSION_{} (\d+)$"
 version = ".".join(re.search(_number.format(part), _header, re.MULTILINE)[1] for part in ("MAJOR", "MINOR", "PATCH"))
-_targets = {"lubjoint_c": "lib", "lubjoint_verify_c": "oracle/verify"}  # and where CMake leaves them
+_targets = {"lubjoint_c": "lib", "lubjoint_verify_c": "oracle/verify", "lubjoint_oracle_c": "oracle/c"}  # and where CMake leaves them
+
+_data = {"golden": "*.csv", "films": "*.txt"}
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -44,15 +46,17 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 library = pathlib.Path(folder) / place / f"lib{target}.so"
                 copies.append(_package / library.name)
                 shutil.copy(library, copies[-1])
-            for table in (_source / "data" / "golden").glob("*.csv"):
-                copies.append(_package / "golden" / table.name)
-                copies[-1].parent.mkdir(exist_ok=True)
-                shutil.copy(table, copies[-1])
+            for folder, kind in _data.items():
+                for table in (_source / "data" / folder).glob(kind):
+                    copies.append(_package / folder / table.name)
+                    copies[-1].parent.mkdir(exist_ok=True)
+                    shutil.copy(table, copies[-1])
             platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
             settings = {"--build-option": [f"--plat-name={platform}"]}  # shared libraries run on one platform only
             return build_meta.build_wheel(wheel_directory, settings, metadata_directory)
         finally:
             for copy in copies:
                 copy.unlink(missing_ok=True)
-            if (_package / "golden").exists():
-                (_package / "golden").rmdir()
+            for folder in _data:
+                if (_package / folder).exists():
+                    (_package / folder).rmdir()

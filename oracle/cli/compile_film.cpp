@@ -65,7 +65,7 @@ int compile(const CompileOptions& options) {
     std::cerr << *options.out << " written\n";
     return 0;
   }
-  const auto file = reports::keep_film(film, reports::user_film_store());
+  const auto file = reports::keep_film(film, film_store());
   if (file.empty()) {
     std::cerr << "nothing is kept: there is neither XDG_CACHE_HOME nor HOME; --out names a file\n";
     return 1;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lubjoint/film/compiled_laws.hpp"
+#include "oracle/files/data_folder.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/laws/film_store.hpp"
@@ -25,9 +26,12 @@ inline reports::CompilerOptions compiler_with_progress(const std::string& film, 
           }};
 }
 
+/// Where this program's user has compiled films.
+inline reports::FilmStore film_store() { return reports::user_film_store(reports::data_folder() / "films"); }
+
 /// The table of a law for a bearing, from the user's store; what is refused or can't be kept goes to standard error.
 inline CompiledFilm film_for_user(const std::string& film, double shape) {
-  return reports::film_at_hand(film, shape, reports::user_film_store(), compiler_with_progress(film, shape),
+  return reports::film_at_hand(film, shape, film_store(), compiler_with_progress(film, shape),
                                [](const std::string& text) { std::cerr << "warning: " << text << '\n'; });
 }
 

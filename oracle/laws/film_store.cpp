@@ -10,7 +10,6 @@
 
 #include "lubjoint/film/compiled_film_file.hpp"
 #include "lubjoint/film/compiled_laws.hpp"
-#include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::reports {
@@ -69,9 +68,9 @@ void prune(const FilmStore& store, const fs::path& kept) {
 
 }  // namespace
 
-FilmStore user_film_store() {
+FilmStore user_film_store(const fs::path& shipped) {
   FilmStore store;
-  store.shipped = data_folder() / "films";
+  store.shipped = shipped;
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
   if (cache != nullptr && fs::path(cache).is_absolute()) {  // the XDG specification ignores relative ones

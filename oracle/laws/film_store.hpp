@@ -19,8 +19,9 @@ struct FilmStore {
   std::uintmax_t size_limit = std::uintmax_t{4} << 20;  ///< of the cache [bytes]; about 200 films of the largest kind
 };
 
-/// films/ of data_folder(), and lubjoint/films in XDG_CACHE_HOME, or else in ~/.cache. Without either nothing is kept.
-FilmStore user_film_store();
+/// Those that ship in a folder, and lubjoint/films in XDG_CACHE_HOME, or else in ~/.cache. Without either nothing is
+/// kept.
+FilmStore user_film_store(const std::filesystem::path& shipped);
 
 /// What a cached film's file is called.
 std::string film_file_name(std::string_view film, double shape);

@@ -1,5 +1,6 @@
 #include "oracle/results/film_in_bearing.hpp"
 
+#include "lubjoint/film/compiled_coefficients.hpp"
 #include "lubjoint/joint/chosen_film.hpp"
 
 namespace lubjoint::reports {
@@ -18,15 +19,10 @@ template <CompiledLaw Law>
 SteadyLaw steady_table(const Law& law) {
   const auto force_ratio = [law](const PolarFilmState<Wide>& film) { return compiled_polar_force_ratio(law, film); };
   const auto differentiated = [law](const SteadyPlace<Wide>& place, int sign) {
-    return differentiated_coefficients_of([&law](const auto& film) { return compiled_force_ratio(law, film); }, place,
-                                          sign);
+    return differentiated_coefficients(law, place, sign);
   };
-  const auto coefficients = [force_ratio, differentiated](const SteadyPlace<Wide>& place, int sign) {
-    CoefficientRatios<Wide> ratios = differentiated(place, sign);
-    const PolarForce<Wide> force = force_ratio(place.film(sign));
-    ratios.stiffness(0, 1) = force.tangential / place.eccentricity_ratio;
-    ratios.stiffness(1, 1) = -force.radial / place.eccentricity_ratio;
-    return ratios;
+  const auto coefficients = [law](const SteadyPlace<Wide>& place, int sign) {
+    return coefficient_ratios(law, place, sign);
   };
   return {Law::limit, force_ratio, coefficients, differentiated};
 }

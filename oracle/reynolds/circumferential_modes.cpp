@@ -2,13 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <array>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "oracle/quadrature/gauss_legendre.hpp"
 
 namespace lubjoint::oracle {
 
@@ -16,6 +15,37 @@ namespace {
 
 /// Gauss points of successive bases; a basis has two thirds as many functions, so that H⁴ is integrated, too.
 constexpr std::array<std::size_t, 7> gauss_points{20, 32, 64, 96, 128, 256, 512};
+
+/// Nodes and weights of a Gauss–Legendre rule on [−1, 1]. By Boost: the Python package compiles films, and loads no
+/// library under the GPL, as GSL is.
+struct GaussRule {
+  std::vector<double> nodes, weights;
+
+  /// @param points  an even number
+  explicit GaussRule(std::size_t points) : nodes(points), weights(points) {
+    const auto n = static_cast<int>(points);
+    const std::vector<long double> zeros = boost::math::legendre_p_zeros<long double>(n);  // those above 0, ascending
+    for (std::size_t i = 0; i < zeros.size(); ++i) {
+      const long double x = zeros[i];
+      const long double slope = boost::math::legendre_p_prime(n, x);
+      const std::size_t above = points / 2 + i;
+      const std::size_t below = points / 2 - 1 - i;
+      nodes[above] = static_cast<double>(x);
+      nodes[below] = -nodes[above];
+      weights[above] = weights[below] = static_cast<double>(2 / ((1 - x) * (1 + x) * slope * slope));
+    }
+  }
+};
+
+/// The rule of one of these sizes, made at its first use and shared by all threads.
+const GaussRule& gauss_rule(std::size_t step) {
+  static const auto rules = [] {
+    std::vector<GaussRule> all;
+    for (const std::size_t points : gauss_points) all.emplace_back(points);
+    return all;
+  }();
+  return rules.at(step);
+}
 
 /// A stretch of film around the bearing.
 struct Arc {
@@ -61,11 +91,11 @@ double axial_share(double w) {
 struct Basis {
   Eigen::MatrixXd value, slope;  ///< a row for each point, a column for each function
 
-  Basis(const GaussLegendreRule& rule, Eigen::Index count, bool cut)
-      : value(static_cast<Eigen::Index>(rule.size()), count), slope(value.rows(), count) {
+  Basis(const GaussRule& rule, Eigen::Index count, bool cut)
+      : value(static_cast<Eigen::Index>(rule.nodes.size()), count), slope(value.rows(), count) {
     Eigen::VectorXd p(count + 2);
     for (Eigen::Index i = 0; i < value.rows(); ++i) {
-      const double x = rule.nodes()[static_cast<std::size_t>(i)];
+      const double x = rule.nodes[static_cast<std::size_t>(i)];
       p[0] = 1;
       p[1] = x;
       for (Eigen::Index n = 2; n < p.size(); ++n) {
@@ -82,10 +112,10 @@ struct Basis {
   }
 };
 
-/// The arc's part of ∬ P (cosθ, sinθ) dθ dζ by one basis.
-Eigen::Vector2d moments(const Arc& arc, std::size_t points) {
-  const GaussLegendreRule rule(points);
-  const auto count = static_cast<Eigen::Index>(2 * points / 3);
+/// The arc's part of ∬ P (cosθ, sinθ) dθ dζ by the basis of one step.
+Eigen::Vector2d moments(const Arc& arc, std::size_t step) {
+  const GaussRule& rule = gauss_rule(step);
+  const auto count = static_cast<Eigen::Index>(2 * gauss_points[step] / 3);
   Basis basis(rule, count, arc.cut);
   const double epsilon = arc.film.epsilon;
   const double root_q = std::sqrt(arc.film.thinnest * (1 + epsilon));
@@ -100,11 +130,11 @@ Eigen::Vector2d moments(const Arc& arc, std::size_t points) {
   Eigen::MatrixX2d direction(rows, 2);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const auto n = static_cast<std::size_t>(i);
-    const double chi = start + half * (1 + rule.nodes()[n]);
+    const double chi = start + half * (1 + rule.nodes[n]);
     const double cosine = std::cos(chi / 2);
     const double spread = arc.film.thinnest + 2 * epsilon * cosine * cosine;  // 1 + ε cosχ
     const double h = root_q * root_q / spread;
-    const double weight = half * rule.weights()[n];
+    const double weight = half * rule.weights[n];
     const double cos_x = (std::cos(chi) + epsilon) / spread;
     const double sin_x = root_q * std::sin(chi) / spread;
     const double dx = weight * h / root_q;
@@ -147,7 +177,7 @@ ScaledForce circumferential_film_force(FilmExtent extent, const ScaledFilm& film
   double last_change = std::numeric_limits<double>::infinity();
   for (std::size_t level = 0; level < gauss_points.size(); ++level) {
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    for (const Arc& arc : arcs) value += moments(arc, gauss_points[level]);
+    for (const Arc& arc : arcs) value += moments(arc, level);
     const Eigen::Vector2d change = (value - force.value).cwiseAbs();
     // Where a finer basis changes more than the one before, rounding is all that is left to see.
     if (level > 2 && change.norm() > last_change) {

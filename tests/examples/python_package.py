@@ -3,14 +3,17 @@
 import doctest
 import importlib.metadata
 import os
+import pathlib
 import statistics
 import sys
+import tempfile
 import time
+import warnings
 
 import numpy
 
 import lubjoint
-from lubjoint import _film, _verify
+from lubjoint import _film, _library, _oracle, _rest, _verify
 
 sys.path.insert(0, sys.argv[1])
 import pinkus_sternlicht  # noqa: E402  the example beside this file
@@ -91,7 +94,7 @@ moments = lubjoint.joint_moments(1e-4, 0, 0.1, 0, -0.1, 0, fx, fy)
 assert numpy.allclose(moments, (-(0.1 + 1e-4) * fy, -0.1 * fy), rtol=1e-15)  # rounding
 contact = lubjoint.Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, impact_speed=0.1)
 assert lubjoint.transition_force("long_half", bearing, contact, 3e-4, 0, 0, 0, 0, 0)[0] < 0
-assert len(lubjoint.laws()) == 14
+assert len(lubjoint.laws()) == 18
 closing, across = lubjoint.polar_force("squeeze_long_full", bearing, 0.5, 3, 1.0)  # the wedge is left out
 scale = bearing.viscosity * bearing.length * bearing.radius**3 / bearing.clearance**2
 assert abs(closing / (-12 * numpy.pi * scale / 0.75**1.5) - 1) < 1e-14 and across == 0
@@ -125,6 +128,51 @@ two = lubjoint.mobility("short_half", bearing, 0.5, 0, 40, 0)
 assert two.status == "two" and two.uy == -two.other_uy != 0
 assert lubjoint.losses("long_half", bearing, numpy.zeros((2, 2)), 0, 0, 0, 0, 50).power.shape == (2, 2)
 
+# Films of the bearing's own length: each table within its stated error of the solver, in every call that takes a law.
+half_as_long = lubjoint.Bearing(viscosity=0.4, length=0.04, radius=0.04, clearance=2e-4)  # L/D = 1/2
+ratios, slips, squeezes = numpy.random.default_rng(2).uniform([[0.05], [-1], [-1]], [[0.9], [1], [1]], (3, 6))
+for law in ("finite_full", "finite_half", "finite_dynamic", "finite_reynolds"):
+    table = lubjoint.film_table(law, half_as_long)
+    solved = lubjoint.oracle_force(law, half_as_long, ratios, slips, squeezes,
+                                   tolerance=1e-3 if law == "finite_reynolds" else 1e-8)
+    radial, tangential = lubjoint.polar_force(law, half_as_long, ratios, slips, squeezes)
+    size = numpy.hypot(radial, tangential)
+    allowed = table.error * size + numpy.hypot(solved.radial_error, solved.tangential_error)
+    assert (numpy.hypot(radial - solved.radial, tangential - solved.tangential) <= allowed).all(), law
+    # The same state as a motion, turned by 1 rad and seen from a frame in which both bodies spin.
+    r, t = numpy.array([numpy.cos(1), numpy.sin(1)]), numpy.array([-numpy.sin(1), numpy.cos(1)])
+    e = half_as_long.clearance * numpy.outer(r, ratios)
+    v = half_as_long.clearance * (numpy.outer(r, squeezes) + numpy.outer(t, 20 * ratios - slips / 2))
+    fx, fy = lubjoint.journal_force(law, half_as_long, *e, *v, 10, 30)
+    assert numpy.allclose(fx, r[0] * radial + t[0] * tangential, atol=1e-11 * size.max())
+    assert numpy.allclose(fy, r[1] * radial + t[1] * tangential, atol=1e-11 * size.max())
+    assert lubjoint.polar_force(law, half_as_long, [[0.1], [0.2]], 1, [0, 1, 2])[0].shape == (2, 3)
+    slopes = lubjoint.force_jacobian(law, half_as_long, *e, *v, 10, 30)
+    assert slopes.by_place.shape == (6, 2, 2) and numpy.allclose(slopes.fx, fx, rtol=1e-12)
+    step = 1e-6 * half_as_long.clearance
+    ahead, behind = (lubjoint.journal_force(law, half_as_long, e[0] + d, e[1], *v, 10, 30) for d in (step, -step))
+    measured = numpy.transpose(numpy.subtract(ahead, behind) / (2 * step))
+    assert numpy.allclose(slopes.by_place[..., 0], measured, atol=1e-6 * abs(measured).max()), law  # differences
+    assert lubjoint.losses(law, half_as_long, *e, *v, 10, 30, shear="flooded").side_flow is None
+    rest = lubjoint.coefficients(law, half_as_long, 300.0, load=[50.0, 5000.0])
+    assert numpy.allclose(rest.load, [50, 5000], rtol=1e-12) and rest.damping.shape == (2, 2, 2)
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    for _ in range(2):  # once a table
+        lubjoint.polar_force("finite_reynolds", half_as_long, 0.97, 1, 0)
+assert len(said) == 1 and "0.95" in str(said[0].message), said
+# A table that does not ship is compiled, and kept where it is found again; a damaged one is made again, with a word.
+with tempfile.TemporaryDirectory() as cache:
+    os.environ["XDG_CACHE_HOME"] = cache
+    odd = lubjoint.Bearing(viscosity=0.4, length=0.06, radius=0.04, clearance=2e-4)
+    assert lubjoint.film_table("finite_full", odd).error < 1e-6
+    (kept,) = pathlib.Path(cache).rglob("finite_full-0.75-*.txt")
+    kept.write_text(kept.read_text()[:-9])
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        _oracle.provide("finite_full", odd)
+    assert "refused" in str(said[0].message) and kept.read_text().endswith("\n"), said
+
 for bad in ((lambda: lubjoint.equilibrium("short_half", bearing, -1, 50)),
             (lambda: lubjoint.equilibrium("short_half", bearing, 1, 0)),
             (lambda: lubjoint.coefficients("short_half", bearing, 50)),
@@ -135,6 +183,13 @@ for bad in ((lambda: lubjoint.equilibrium("short_half", bearing, -1, 50)),
             (lambda: lubjoint.verify(short_full, "short_full", "polar", tolerance=0.5)),
             (lambda: lubjoint.verify(short_full, "short_full", "polar", unit=0.25)),
             (lambda: lubjoint.verify(short_full, "short_full", "polar", shear="flooded")),
+            (lambda: lubjoint.polar_force("finite_full", lubjoint.Bearing(0.4, 4, 0.04, 2e-4), 0.5, 0, 1)),  # L/D 50
+            (lambda: lubjoint.losses("finite_reynolds", half_as_long, 0, 0, 1e-3, 0, 0, 1)),  # where it ends: unknown
+            (lambda: lubjoint.film_table("short_full", bearing)),
+            (lambda: lubjoint.oracle_force("finite_half", squat, 0.5, 1, 1, onset="free")),
+            (lambda: lubjoint.oracle_force("finite_half", squat, [0.5, 1.5], 1, 1)),
+            (lambda: lubjoint.oracle_force("short_half", squat, 0.5, 1, 1)),
+            (lambda: lubjoint.oracle_force("finite_half", squat, 0.5, 1, 1, tolerance=1)),
             (lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
             (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1)),
             (lambda: lubjoint.film_coefficients("squeeze_long", bearing, 0.5, 1)),
@@ -173,7 +228,7 @@ assert nearly and nearly["accepted"], nearly
 assert len(lubjoint.states("cartesian", at_most=12)["ex"]) == 12
 
 # The examples in the documentation, and that every public name has one sentence at least.
-for module in (_film, _verify):
+for module in (_film, _oracle, _rest, _verify):
     outcome = doctest.testmod(module)
     assert outcome.attempted >= 2 and outcome.failed == 0, (module, outcome)
 assert all(getattr(lubjoint, name).__doc__ for name in lubjoint.__all__)
@@ -197,10 +252,10 @@ if "--cost" in sys.argv:  # NumPy against the batch function alone, its argument
         for rows in (1_000, 10_000, 100_000, 1_000_000):
             many = numpy.random.default_rng(1).uniform(0, 0.9, (3, rows))
             out = tuple(numpy.empty((2, rows)))
-            made = _film._Batch(many, out)
+            made = _library.Batch(many, out)
             oil = squat if law == "butenschoen" else bearing  # whose fit ends at L/D = 1
-            given = (law.encode(), oil._struct(), rows, *made.inputs, *made.outputs)
-            times = medians((lambda: _film._library.lubjoint_polar_force(*given),
+            given = (law.encode(), oil._struct, rows, *made.inputs, *made.outputs)
+            times = medians((lambda: _library.library.lubjoint_polar_force(*given),
                              lambda: lubjoint.polar_force(law, oil, *many),
                              lambda: lubjoint.polar_force(law, oil, *many, out=out)))
             print(f"{law:18} {rows:10}" + "".join(f"{t / rows * 1e9:9.2f}" for t in times) +

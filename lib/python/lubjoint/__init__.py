@@ -9,9 +9,12 @@ Units are SI. Arguments broadcast against each other. Numbers and one-dimensiona
 written where they are, with their strides; of arrays with more dimensions, those with gaps are copied.
 """
 
-from ._film import (Bearing, Coefficients, Contact, Equilibrium, Losses, Mobility, coefficients, equilibrium,
-                    film_coefficients, film_losses, joint_moments, journal_force, laws, losses, mobility, polar_force,
-                    transition_force, version)
+from ._film import (ForceJacobian, force_jacobian, joint_moments, journal_force, laws, polar_force, transition_force,
+                    version)
+from ._library import Bearing, Contact
+from ._oracle import FilmTable, SolvedForce, film_table, oracle_force
+from ._rest import (Coefficients, Equilibrium, Losses, Mobility, coefficients, equilibrium, film_coefficients,
+                    film_losses, losses, mobility)
 from ._verify import Report, states, verify
 
 __version__ = version()
@@ -21,18 +24,24 @@ __all__ = [
     "Coefficients",
     "Contact",
     "Equilibrium",
+    "FilmTable",
+    "ForceJacobian",
     "Losses",
     "Mobility",
     "Report",
+    "SolvedForce",
     "coefficients",
     "equilibrium",
     "film_coefficients",
     "film_losses",
+    "film_table",
+    "force_jacobian",
     "joint_moments",
     "journal_force",
     "laws",
     "losses",
     "mobility",
+    "oracle_force",
     "polar_force",
     "states",
     "transition_force",
