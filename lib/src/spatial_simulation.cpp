@@ -13,9 +13,11 @@ ConstraintUpkeep upkeep_of(const SpatialScene& scene) {
   return scene.stabilisation.projection ? ConstraintUpkeep::by_projection : ConstraintUpkeep::by_accelerations;
 }
 
+/// @param integrals  the last states, a ledger's work: they change no step
 std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& name, const RunSettings& run,
-                                                             const std::vector<double>& tolerances) {
-  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
+                                                             const std::vector<double>& tolerances,
+                                                             std::size_t integrals) {
+  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance, integrals});
 }
 
 detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const PreparedSpatialScene& prepared) {
@@ -24,8 +26,8 @@ detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const Prep
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances(pilot_scene);
   SpatialOde<double> ode(prepared.system, false);
-  SpatialRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances), upkeep_of(scene),
-                           scene_units(scene).mechanism);
+  SpatialRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances, 0),
+                           upkeep_of(scene), scene_units(scene).mechanism);
   return detail::measure_by_pilot(pilot, ode, prepared.start, pilot_scene.run, tolerances, scene.joints.empty());
 }
 
@@ -40,8 +42,9 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
     choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
   }
   SpatialOde<double> ode(prepared.system, scene.energy_ledger);
-  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances(scene)), upkeep_of(scene),
-                         scene_units(scene).mechanism);
+  const std::size_t integrals = ode.dimension() - ode.mechanical_states();
+  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances(scene), integrals),
+                         upkeep_of(scene), scene_units(scene).mechanism);
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();

@@ -10,6 +10,8 @@
 #include "lubjoint/motion/multibody_recorder.hpp"
 #include "lubjoint/motion/spatial_interpolant.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
+#include "lubjoint/run/largest_value.hpp"
+#include "lubjoint/run/output_times.hpp"
 
 namespace lubjoint {
 
@@ -19,7 +21,7 @@ class SpatialRecorder {
  public:
   /// @param pieces  into so many a step is divided in the search for its extremes
   SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces)
-      : ode_(ode), settings_(settings), pieces_(pieces) {
+      : ode_(ode), outputs_(settings), pieces_(pieces) {
     const auto& constraints = ode.system().constraints();
     for (std::size_t c = 0; c < constraints.size(); ++c) {
       if (constraints[c].is_driver()) {
@@ -31,14 +33,13 @@ class SpatialRecorder {
     }
     first_driver_ = of_joint * ode.system().joints().size();
     first_reaction_ = first_driver_ + 2 * drivers_.size();
-    trackers_.resize(first_reaction_ + reactions_.size());
-    values_.resize(trackers_.size());
+    largest_.resize(first_reaction_ + reactions_.size());
+    looks_.assign(largest_.size(), std::vector<double>(pieces_ + 1));
   }
 
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
-    next_ = 1;
     const MechanicalEnergy<R> energy = ode_.energy(y);
     start_energy_ = energy.kinetic + energy.potential;
     note_drift(ode_.workspace(), y);
@@ -48,8 +49,7 @@ class SpatialRecorder {
   /// @param by_method  by_method(step, t, y) puts the state inside a step into y by the integrator itself
   template <class ByMethod>
   void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
-    for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
-         t = output_time(++next_)) {
+    outputs_.up_to(static_cast<double>(step->t_new), [&](double t) {
       if (R(t) == step->t_new) {
         state_ = step->y_new;
       } else if (step->sampled_by_steps) {
@@ -58,30 +58,40 @@ class SpatialRecorder {
         inside(*step, R(t), state_);
       }
       add_sample(R(t), state_, step->memory);
-    }
-    for (std::size_t i = 0; i <= pieces_; ++i) {
+    });
+    const auto time_of = [&](std::size_t i) {
       const double share = static_cast<double>(i) / static_cast<double>(pieces_);
-      const R t = i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
+      return i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
+    };
+    for (std::size_t i = 0; i <= pieces_; ++i) {
       if (i == pieces_) {
         state_ = step->y_new;
       } else {
-        inside(*step, t, state_);
+        inside(*step, time_of(i), state_);
       }
-      const SpatialWorkspace<R>& w = ode_.at(t, state_, step->memory);
-      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w);
+      const SpatialWorkspace<R>& w = ode_.at(time_of(i), state_, step->memory);
+      for (std::size_t k = 0; k < largest_.size(); ++k) looks_[k][i] = quantity(k, w);
       if (i == pieces_) note_drift(w, step->y_new);
-      for (std::size_t k = 0; k < trackers_.size(); ++k) {
-        trackers_[k].consider(values_[k], t, step, [&] { return by(by_method, *step, t, k); });
-      }
+    }
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
+      largest_[k].look(
+          looks_[k], time_of,
+          [&](const R& t) {
+            inside(*step, t, state_);
+            return quantity(k, ode_.at(t, state_, step->memory));
+          },
+          [&](const R& t) { return by(by_method, *step, t, k); });
     }
   }
 
-  /// The last sample, and the peaks refined.
-  template <class ByMethod>
-  void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
+  /// The last sample, and what the peaks are of.
+  void finish(const R& t, const std::vector<R>& y) {
     if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
     std::size_t k = 0;
-    const auto next = [&] { return peak(k++, by_method); };
+    const auto next = [&] {
+      const LargestValue<R>& largest = largest_[k++];
+      return Peak{largest.value(), static_cast<double>(largest.t())};
+    };
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
       SpatialJointExtremes extremes;
       for (Peak* each :
@@ -131,16 +141,10 @@ class SpatialRecorder {
     spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
   }
 
-  /// i intervals; within rounding of the end it is the end.
-  double output_time(std::size_t i) const {
-    const double t = static_cast<double>(i) * settings_.output_interval;
-    return t >= settings_.duration * (1 - 4 * std::numeric_limits<double>::epsilon()) ? settings_.duration : t;
-  }
-
   static double length(const Vector2<R>& v) { return static_cast<double>(v.norm()); }
 
-  /// What tracker k follows: of each joint |e|, |F|, ψ, |σ| and the edge's share; then the effort of each driver and
-  /// its opposite, then the reactions.
+  /// What number k of the peaks is of: of each joint |e|, |F|, ψ, |σ| and the edge's share; then the effort of each
+  /// driver and its opposite, then the reactions.
   double quantity(std::size_t k, const SpatialWorkspace<R>& w) const {
     using std::abs;
     if (k >= first_reaction_) {
@@ -171,28 +175,17 @@ class SpatialRecorder {
     }
   }
 
+  /// By the method's own steps, which are none of the run's cost. Quantities often peak together.
   template <class ByMethod>
   double by(const ByMethod& by_method, const MultibodyStep<R>& step, const R& t, std::size_t k) {
-    const bool of_run = k < first_reaction_;  // reactions are none of its cost; what peaks together is stepped to once
     if (t != exact_t_ || step.t_old != exact_from_) {
       const std::size_t counted = ode_.evaluations();
       by_method(step, t, exact_);
-      if (!of_run) ode_.count_from(counted);
+      ode_.count_from(counted);
       exact_t_ = t;
       exact_from_ = step.t_old;
     }
     return quantity(k, ode_.at(t, exact_, step.memory));
-  }
-
-  template <class ByMethod>
-  Peak peak(std::size_t k, const ByMethod& by_method) {
-    return trackers_[k].peak(
-        pieces_,
-        [&](const MultibodyStep<R>& step, const R& t) {
-          inside(step, t, state_);
-          return quantity(k, ode_.at(t, state_, step.memory));
-        },
-        [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
   }
 
   void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
@@ -241,13 +234,13 @@ class SpatialRecorder {
   }
 
   SpatialOde<R>& ode_;
-  RunSettings settings_;
+  OutputTimes outputs_;
   std::size_t pieces_;
-  std::vector<detail::PeakTracker<R>> trackers_;
-  std::vector<double> values_;
+  std::vector<LargestValue<R>> largest_;
+  std::vector<std::vector<double>> looks_;  ///< of each of them, at the places of a step that are looked at
   std::vector<std::size_t> drivers_;
   std::vector<Reaction> reactions_;
-  std::size_t first_driver_ = 0, first_reaction_ = 0;  ///< their trackers
+  std::size_t first_driver_ = 0, first_reaction_ = 0;  ///< their numbers among the peaks
   std::vector<SpatialSample> samples_;
   std::vector<SpatialJointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;
@@ -255,7 +248,6 @@ class SpatialRecorder {
   SpatialDrift drift_;
   R start_energy_{};
   double energy_residual_ = 0, energy_scale_ = 0;
-  std::size_t next_ = 0;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};
 };

@@ -32,7 +32,7 @@ class SpatialRun {
         method_(std::move(method)),
         largest_left_out_(1e-6 * mechanism),
         pieces_(ode, upkeep),
-        engine_(pieces_, *method_, settings_, outcome_),
+        engine_(pieces_, *method_, settings_, outcome_, guard_),
         recorder_(ode, settings, method_->looks_inside()) {}
 
   /// The parts of a run refer to each other.
@@ -63,7 +63,7 @@ class SpatialRun {
       return recorder_.drift().left_out_position <= largest_left_out_;
     });
     if (result.end != RunEnd::duration_reached) stop(result);
-    recorder_.finish(t_, y_, by_method());
+    recorder_.finish(t_, y_);
     outcome_.t_end = static_cast<double>(t_);
     outcome_.rhs_evaluations = ode_.evaluations();
     outcome_.jacobian_evaluations = method_->counts().jacobians;
@@ -221,6 +221,7 @@ class SpatialRun {
   double largest_left_out_;
   RunOutcome outcome_;
   SpatialPieces<R> pieces_;
+  StallGuard<R> guard_;
   EventRun<SpatialPieces<R>> engine_;
   SpatialRecorder<R> recorder_;
   bool leaves_film_ = false;
