@@ -89,7 +89,8 @@ Observed run(std::string_view name, double tolerance, bool with_knots) {
   settings.duration = 1;
   if (with_knots) settings.knots = {0.17, 0.31, 0.55, 0.62, 0.9};
   RunOutcome outcome;
-  EventRun<Shaken> engine(system, *method, settings, outcome);
+  StallGuard<double> guard;
+  EventRun<Shaken> engine(system, *method, settings, outcome, guard);
   double t = 0;
   double dt = 1e-4;
   State y = exact(0);

@@ -144,8 +144,18 @@ class Embedding {
             {in.axes(guide.first, along, {0, 0, 1}), in.axes(guide.second, from_second, {0, 0, 1})}};
       }
       AnySpatialConstraint<double> operator()(const Driver<double>& driver) const {
+        require_plain(driver.shape != nullptr);
         return RotationalDriver<double>{{in.axes({driver.first, {0, 0}}), in.axes({driver.second, {0, 0}})},
                                         {driver.angle, driver.speed, driver.acceleration}};
+      }
+      AnySpatialConstraint<double> operator()(const SlideDriver<double>& driver) const {
+        require_plain(driver.shape != nullptr);
+        const Vector3<double> along(driver.axis.x(), driver.axis.y(), 0);
+        return TranslationalDriver<double>{{in.axes(driver.first, along, {0, 0, 1}), in.axes(driver.second)},
+                                           {driver.position, driver.speed, driver.acceleration}};
+      }
+      static void require_plain(bool shaped) {
+        if (shaped) throw std::invalid_argument("a driver in space follows no table and no oscillation");
       }
     };
     return {flat.name, std::visit(Converter{*this}, flat.constraint)};
