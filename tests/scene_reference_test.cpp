@@ -49,7 +49,7 @@ Keys asked_for(const std::string& file, const std::vector<std::string>& function
     const std::size_t body = source.find("{\n", begin);
     const std::string text = source.substr(body, source.find("\n}\n", body) - body);
     const std::regex call(
-        R"(\b(?:number|number_or|text|text_or|name|vector|vector_or|flag_or|table|tables|is_table|has|poisson)\("(\w+)\")");
+        R"(\b(?:number|number_or|text|text_or|name|vector|vector_or|vector3|vector3_or|numbers|flag_or|table|tables|is_table|has|poisson)\("(\w+)\")");
     for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
       keys.insert((*it)[1]);
     }
@@ -71,7 +71,7 @@ Keys both(Keys a, const Keys& b) {
 TEST_CASE("scene reference: its tables have the keys that the reader asks for, and no other") {
   const std::string file = "lib/src/scene_file.cpp";
   const std::string parts = "lib/src/scene_parts.cpp";
-  CHECK(documented("The file itself") == asked_for(file, {"read_scene"}));
+  CHECK(documented("The file itself") == asked_for(file, {"read_scene", "read_duration"}));
   CHECK(documented("`[[bodies]]`") == asked_for(file, {"read_body"}));
   const std::string forces = "lib/src/scene_forces.cpp";
   CHECK(documented("`[[loads]]`") == both(asked_for(forces, {"read_load", "read_harmonic", "read_unbalance"}),
@@ -79,7 +79,7 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
   CHECK(documented("`[[springs]]`") ==
         asked_for(forces, {"read_spring", "read_rotational", "read_translational_spring"}));
   CHECK(documented("`[[sensors]]`") == asked_for(forces, {"read_sensor"}));
-  CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_shear"}),
+  CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_joint_film", "read_shear"}),
                                            asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
   // A driver's constant term is called by what it is of.
   CHECK(documented("`[[constraints]]`") ==
@@ -88,6 +88,22 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
   CHECK(documented("`[stabilisation]`") == asked_for(parts, {"read_stabilisation"}));
   CHECK(documented("`[integrator]`") == asked_for(file, {"read_integrator"}));
   CHECK(documented("`[output]`") == asked_for(file, {"read_output"}));
+}
+
+TEST_CASE("scene reference: its tables of scenes in space have the keys that their reader asks for, and no other") {
+  const std::string file = "lib/src/spatial_scene_file.cpp";
+  const std::string parts = "lib/src/spatial_constraints.cpp";
+  CHECK(documented("In space: the file") ==
+        both(asked_for(file, {"read_spatial_scene"}), asked_for("lib/src/scene_file.cpp", {"read_duration"})));
+  CHECK(documented("In space: `[[bodies]]`") ==
+        both(asked_for(file, {"read_spatial_body", "read_inertia"}), asked_for(parts, {"read_orientation"})));
+  CHECK(documented("In space: `[[loads]]`") == asked_for(file, {"read_spatial_load", "read_spatial_harmonic"}));
+  CHECK(documented("In space: `[[springs]]`") == asked_for(file, {"read_spatial_spring"}));
+  CHECK(documented("In space: `[[joints]]`") ==
+        both(asked_for(file, {"read_spatial_joint"}), asked_for(parts, {"read_side"})));
+  CHECK(documented("In space: `[[constraints]]`") ==
+        asked_for(parts, {"read_spatial_constraint", "read_sides", "read_ground_joint", "read_distance",
+                          "read_spatial_driver"}));
 }
 
 TEST_CASE("scene reference: laws, integrators and defaults are those of the reader") {

@@ -109,8 +109,9 @@ DistanceJoint<double> read_distance(TableReader& table, const SpatialScene& scen
     return point_motion(frame_at_start(scene, at.body), at.point).position;
   };
   const double at_start = difference(place(second), place(first)).norm();
-  if (!table.has("length") && !(at_start > 0)) {
-    table.refuse("length", "missing, and the points coincide at t = 0", "a finite number above 0 [m]");
+  if (!table.has("length") && !(at_start > 0 && std::isfinite(at_start))) {
+    table.refuse("length", "missing, and the points coincide at t = 0, or lie too far apart for double precision",
+                 "a finite number above 0 [m]");
   }
   return {{first, second}, table.number_or("length", at_start, Allowed::positive, "m")};
 }
@@ -162,6 +163,10 @@ AnySpatialConstraint<double> read_spatial_driver(TableReader& table, const Spati
                              point_motion(frame_at_start(scene, axes->first.body), axes->first.point).position));
   const double start = turns ? table.number_or("angle", 0, Allowed::any, unit)
                              : table.number_or("displacement", along, Allowed::any, unit);
+  if (!std::isfinite(start)) {
+    table.refuse("displacement", "missing, and the points lie too far apart for double precision",
+                 "a finite number [m]");
+  }
   const char* other = turns ? "displacement" : "angle";
   if (table.has(other)) table.refuse(other, "given for a " + motion, turns ? "angle" : "displacement");
   const PrescribedMotion<double> prescribed{start, table.number("speed", Allowed::any, per_second),

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/model_error.hpp"
@@ -12,6 +13,7 @@
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/run_plots.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/spatial_report.hpp"
 #include "oracle/results/squeeze_reynolds.hpp"
 #include "oracle/results/trajectory_csv.hpp"
 
@@ -27,21 +29,25 @@ struct Output {
 };
 
 /// Trajectory to a file if asked for, summary to standard output.
-template <class Trajectory>
-void report(const Scene& scene, const Trajectory& run, const std::optional<reports::LateExtremes>& late,
+template <class SceneType, class Trajectory>
+void report(const SceneType& scene, const Trajectory& run, const std::optional<reports::LateExtremes>& late,
             const Output& output) {
   if (output.folder) {
     const auto file = std::filesystem::path(*output.folder) / (scene.name + ".csv");
-    reports::write_file(file, reports::trajectory_csv(scene, run));
+    reports::write_file(file, reports::trajectory_csv(trajectory_table(scene, run)));
     std::cerr << "trajectory written to " << file.string() << '\n';
   }
   if (output.json) {
     nlohmann::ordered_json summary = reports::summary_json(scene, run);
-    if (late) reports::add_late_extremes(summary, scene, *late);
+    if constexpr (std::is_same_v<SceneType, Scene>) {
+      if (late) reports::add_late_extremes(summary, scene, *late);
+    }
     std::cout << summary.dump(2) << '\n';
   } else {
     std::cout << reports::summary_text(scene, run);
-    if (late) std::cout << reports::late_extremes_text(scene, *late);
+    if constexpr (std::is_same_v<SceneType, Scene>) {
+      if (late) std::cout << reports::late_extremes_text(scene, *late);
+    }
   }
 }
 
@@ -105,6 +111,37 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
   return run.outcome.status == RunStatus::finished ? 0 : 1;
 }
 
+/// The scene in space, read and changed. @throws SceneError, std::invalid_argument
+SpatialScene load_in_space(const SceneFile& file, const SceneOptions& options, const LateOptions& late,
+                           const Output& output) {
+  if (late.after || late.last_revolution) {
+    throw std::invalid_argument(std::string(late.after ? "--after" : "--last-revolution") +
+                                " is for scenes in the plane, and this one is in space; allowed without it");
+  }
+  if (output.plot) {
+    throw std::invalid_argument("--plot is for scenes in the plane, and this one is in space; allowed without it");
+  }
+  options.require();
+  SpatialScene scene = spatial_scene(file);
+  Scene joints;  // what options say of joints and runs, they say by the plane's rules
+  joints.name = scene.name;
+  for (const SpatialSceneJoint& joint : scene.joints) joints.joints.push_back(joint.plane);
+  joints.integrator = scene.integrator;
+  joints.run = scene.run;
+  options.change(joints);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) scene.joints[j].plane = joints.joints[j];
+  scene.integrator = joints.integrator;
+  scene.run = joints.run;
+  return scene;
+}
+
+int simulate_in_space(const SpatialScene& scene, const Output& output) {
+  const SpatialTrajectory run = simulate_spatial(scene);
+  report(scene, run, {}, output);
+  warn(reports::run_warnings(scene, run));
+  return run.outcome.status == RunStatus::finished ? 0 : 1;
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
@@ -122,6 +159,13 @@ void add_simulate(CLI::App& app, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       options->LateOptions::require();
+      const SceneFile file(options->file);
+      if (scene_dimension(file) == 3) {
+        const SpatialScene scene = load_in_space(file, *options, *options, *options);
+        prepare_spatial(scene);  // refuses what it can before a folder is made
+        if (options->folder) reports::prepare_folder(*options->folder);
+        return simulate_in_space(scene, *options);
+      }
       const Scene scene = options->load();
       const std::optional<double> after = options->start(scene);
       if (is_free_journal(scene)) journal_scene(scene);  // refuses what it can before a folder is made

@@ -52,10 +52,10 @@ class Embedding {
       SpatialSceneLoad in_space;
       if (load.unbalance) throw std::logic_error("an unbalance is not for space");
       in_space.body = load.body;
-      in_space.force = load.turns_with_body ? Vector3<double>(load.force.x(), load.force.y(), 0)
-                                            : plane_.vector(load.force);
-      in_space.moment = load.turns_with_body ? Vector3<double>(0, 0, load.moment)
-                                             : Vector3<double>(load.moment * plane_.normal());
+      in_space.force =
+          load.turns_with_body ? Vector3<double>(load.force.x(), load.force.y(), 0) : plane_.vector(load.force);
+      in_space.moment =
+          load.turns_with_body ? Vector3<double>(0, 0, load.moment) : Vector3<double>(load.moment * plane_.normal());
       in_space.point = {load.point.x(), load.point.y(), 0};
       in_space.turns_with_body = load.turns_with_body;
       in_space.harmonic = load.harmonic;
@@ -168,8 +168,7 @@ class Embedding {
 inline void allow_what_is_redundant(SpatialScene& scene) {
   SpatialSystem<double> system = spatial_system<double>(scene);
   std::vector<double> y = scene_start<double>(scene);
-  const auto found =
-      assemble_spatial_start(system, 0.0, scene_units(scene).mechanism, y, RedundantConstraints::allow);
+  const auto found = assemble_spatial_start(system, 0.0, scene_units(scene).mechanism, y, RedundantConstraints::allow);
   scene.redundant = found.left_out.empty() ? RedundantConstraints::refuse : RedundantConstraints::allow;
 }
 
@@ -177,7 +176,7 @@ inline void allow_what_is_redundant(SpatialScene& scene) {
 inline Plane some_plane(unsigned number) {
   const double k = number;
   const Vector3<double> axis = direction(Vector3<double>(std::sin(1 + k), std::cos(2 + 3 * k), std::sin(5 * k) - 0.4));
-  return {euler_parameters(axis, 0.7 + 1.3 * k), {0.3 - 0.1 * k, -0.2, 0.1 + 0.2 * k}, {0, 0, 0}};
+  return {euler_parameters(axis, 0.7 + 1.3 * k), {0.1 * std::sin(k), -0.07, 0.1 * std::cos(k)}, {0, 0, 0}};
 }
 
 }  // namespace lubjoint::test

@@ -178,24 +178,49 @@ template <class R>
   throw ConstraintError(message.str());
 }
 
-/// Rows of a largest independent set by pivoting, and those that are left out, both in order. Rows count by their
-/// direction; those of drivers first, whose efforts are what is asked for.
+/// Rows of a largest independent set, and those that are left out, both in order. Constraints are taken whole, drivers
+/// first, whose efforts are what is asked for, then in their order: what closes a loop gives up rows, and not what
+/// holds its links, whose other rows would have to do it by levers that a motion may turn away. Of one constraint the
+/// row of which the most is new comes first (pivoting).
 template <class R>
 std::pair<std::vector<std::size_t>, std::vector<std::size_t>> independent_rows(const SpatialSystem<R>& system,
-                                                                               DenseMatrix<R> matrix) {
-  const R first_choice(1e3);
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    const R size = matrix.row(row).norm();
-    if (!(size > 0)) continue;
-    const bool drives = system.constraints()[system.constraint_of(static_cast<std::size_t>(row))].is_driver();
-    matrix.row(row) *= (drives ? first_choice : R(1)) / size;
+                                                                               const DenseMatrix<R>& matrix) {
+  std::vector<std::size_t> order;
+  for (const bool drivers : {true, false}) {
+    for (std::size_t c = 0; c < system.constraints().size(); ++c) {
+      if (system.constraints()[c].is_driver() == drivers) order.push_back(c);
+    }
   }
-  Eigen::ColPivHouseholderQR<DenseMatrix<R>> decomposition(matrix.transpose());
-  decomposition.setThreshold(R(least_new_share));
-  const auto& order = decomposition.colsPermutation().indices();
+  std::vector<DenseVector<R>> basis;
   std::vector<std::size_t> kept, left_out;
-  for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
-    (k < decomposition.rank() ? kept : left_out).push_back(static_cast<std::size_t>(order(k)));
+  const auto rest_of = [&](std::size_t row) {
+    DenseVector<R> rest = matrix.row(static_cast<Eigen::Index>(row)).transpose();
+    const R size = rest.norm();
+    if (!(size > 0)) return rest;
+    rest /= size;
+    for (int pass = 0; pass < 2; ++pass) {  // the second takes off what rounding left of the first
+      for (const DenseVector<R>& each : basis) rest -= each.dot(rest) * each;
+    }
+    return rest;
+  };
+  for (const std::size_t c : order) {
+    std::vector<std::size_t> rows;
+    for (std::size_t row = system.first_row(c); row < system.first_row(c + 1); ++row) rows.push_back(row);
+    while (!rows.empty()) {
+      std::size_t best = 0;
+      DenseVector<R> most = rest_of(rows[0]);
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        DenseVector<R> rest = rest_of(rows[i]);
+        if (!(rest.norm() > most.norm())) continue;
+        best = i;
+        most.swap(rest);
+      }
+      if (!(most.norm() > R(least_new_share))) break;
+      basis.push_back(most / most.norm());
+      kept.push_back(rows[best]);
+      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(best));
+    }
+    left_out.insert(left_out.end(), rows.begin(), rows.end());
   }
   std::sort(kept.begin(), kept.end());
   std::sort(left_out.begin(), left_out.end());

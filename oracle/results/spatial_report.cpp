@@ -1,0 +1,236 @@
+#include "oracle/results/spatial_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lubjoint/joint/rebound.hpp"
+#include "oracle/results/loss_columns.hpp"
+#include "oracle/results/multibody_report.hpp"
+#include "oracle/results/outcome_words.hpp"
+#include "oracle/results/scene_warnings.hpp"
+
+namespace lubjoint::reports {
+
+namespace {
+
+/// Share of the least film that a tilt may take at the bearing's edge before the plane's film is in doubt.
+constexpr double largest_edge_share = 0.1;
+
+std::string laws_of(const SpatialScene& scene) {
+  std::string laws;
+  for (const SpatialSceneJoint& joint : scene.joints) {
+    if (laws.empty()) {
+      laws = joint.plane.film;
+    } else if (laws != joint.plane.film) {
+      laws += "+" + joint.plane.film;
+    }
+  }
+  return laws.empty() ? no_film : laws;
+}
+
+nlohmann::ordered_json vector_json(const Vector3<double>& v, double unit = 1) {
+  return {v.x() / unit, v.y() / unit, v.z() / unit};
+}
+
+/// Names with how often each is there: "a" (2 rows), "b".
+std::string counted(const std::vector<std::string>& names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size();) {
+    const auto count = std::count(names.begin(), names.end(), names[i]);
+    if (i > 0) words += ", ";
+    words += fmt::format("\"{}\" ({} row{})", names[i], count, count == 1 ? "" : "s");
+    i += static_cast<std::size_t>(count);
+  }
+  return words;
+}
+
+nlohmann::ordered_json joint_json(const SpatialSceneJoint& joint, const SpatialJointSample& last,
+                                  const SpatialJointExtremes& extremes) {
+  const double c = joint.plane.clearance;
+  const double gap = c - extremes.eccentricity.value;
+  nlohmann::ordered_json json{{"name", joint.plane.name},
+                              {"final",
+                               {{"e_over_c", vector_json(last.eccentricity, c)},
+                                {"eccentricity_ratio", last.eccentricity_ratio},
+                                {"force", vector_json(last.force)},
+                                {"tilt", last.tilt},
+                                {"sliding", last.sliding}}},
+                              {"max_eccentricity_ratio", extremes.eccentricity.value / c},
+                              {"max_force", extremes.force.value},
+                              {"t_max_force", extremes.force.t},
+                              {"min_film_thickness", std::max(gap, 0.0)},
+                              {"min_film_over_safe", nullptr},
+                              {"t_min_film_thickness", extremes.eccentricity.t},
+                              {"max_indentation", nullptr},
+                              {"rebound_ratio", nullptr},
+                              {"max_tilt", extremes.tilt.value},
+                              {"t_max_tilt", extremes.tilt.t},
+                              {"max_sliding", extremes.sliding.value},
+                              {"t_max_sliding", extremes.sliding.t},
+                              {"max_edge_share", extremes.edge_share.value},
+                              {"t_max_edge_share", extremes.edge_share.t}};
+  if (joint.plane.film != no_film) {
+    json["min_film_over_safe"] = std::max(gap, 0.0) / safe_film_thickness(joint.plane);
+  }
+  if (joint.plane.contact) {
+    json["max_indentation"] = std::max(-gap, 0.0);
+    json["rebound_ratio"] = rebound_ratio(joint.plane.contact->restitution);
+  }
+  if (joint.plane.shear) add_losses(json["final"], last.losses);
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json summary_json(const SpatialScene& scene, const SpatialTrajectory& run) {
+  nlohmann::ordered_json joints = nlohmann::ordered_json::array();
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    joints.push_back(joint_json(scene.joints[j], run.samples.back().joints[j], run.joints[j]));
+  }
+  nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
+  for (std::size_t d = 0; d < run.drivers.size(); ++d) {
+    const char* what = run.driver_turns[d] ? "moment" : "force";
+    nlohmann::ordered_json driver{{"name", run.driver_names[d]}};
+    driver[fmt::format("max_{}", what)] = run.drivers[d].max_moment.value;
+    driver[fmt::format("t_max_{}", what)] = run.drivers[d].max_moment.t;
+    driver[fmt::format("min_{}", what)] = run.drivers[d].min_moment.value;
+    driver[fmt::format("t_min_{}", what)] = run.drivers[d].min_moment.t;
+    drivers.push_back(driver);
+  }
+  nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
+  for (const ReactionExtremes& reaction : run.reactions) {
+    const std::string& name = scene.constraints[reaction.constraint].name;
+    nlohmann::ordered_json json{{"name", name},
+                                {"max_force", reaction.force.value},
+                                {"t_max_force", reaction.force.t},
+                                {"max_moment", nullptr},
+                                {"t_max_moment", nullptr}};
+    if (reaction.moment) {
+      json["max_moment"] = reaction.moment->value;
+      json["t_max_moment"] = reaction.moment->t;
+    }
+    reactions.push_back(json);
+  }
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
+  for (const ContactEvent& event : run.events) {
+    events.push_back({{"t", event.t},
+                      {"joint", scene.joints[event.joint].plane.name},
+                      {"from", contact_phase_name(event.from)},
+                      {"to", contact_phase_name(event.to)},
+                      {"normal_speed", event.normal_speed},
+                      {"force_jump", event.force_jump}});
+  }
+  nlohmann::ordered_json residual = nullptr;
+  if (run.energy_residual) residual = *run.energy_residual;
+  nlohmann::ordered_json summary = outcome_json(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
+  summary["dimension"] = 3;
+  summary["joints"] = joints;
+  summary["drivers"] = drivers;
+  summary["reactions"] = reactions;
+  summary["energy_residual"] = residual;
+  summary["energy_scale"] = run.energy_scale;
+  summary["constraint_rows"] = {{"all", run.rows}, {"rank", run.rank}, {"left_out", run.left_out}};
+  summary["constraint_drift"] = {{"position", run.drift.position},
+                                 {"velocity", run.drift.velocity},
+                                 {"left_out", run.drift.left_out_position},
+                                 {"euler_parameters", run.drift.norm}};
+  summary["start_correction"] = {{"position", run.correction.position},
+                                 {"angle", run.correction.angle},
+                                 {"velocity", run.correction.velocity},
+                                 {"spin", run.correction.spin}};
+  summary["contact_events"] = events;
+  return summary;
+}
+
+std::string summary_text(const SpatialScene& scene, const SpatialTrajectory& run) {
+  std::string text = outcome_text(scene.name, laws_of(scene), run.outcome, run.wall_seconds);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const double c = scene.joints[j].plane.clearance;
+    const SpatialJointSample& last = run.samples.back().joints[j];
+    const SpatialJointExtremes& extremes = run.joints[j];
+    text += fmt::format(
+        "joint        {}\n  final      e/c = ({:.6f}, {:.6f}, {:.6f}), eccentricity ratio {:.6f}, force ({:.6f}, "
+        "{:.6f}, {:.6f}) N\n",
+        scene.joints[j].plane.name, last.eccentricity.x() / c, last.eccentricity.y() / c, last.eccentricity.z() / c,
+        last.eccentricity_ratio, last.force.x(), last.force.y(), last.force.z());
+    text += extremes_text(extremes.eccentricity.value / c, c - extremes.eccentricity.value, extremes.eccentricity.t,
+                          extremes.force.value, extremes.force.t);
+    text += fmt::format("  axes       tilt at most {:.3g} rad at {:.6g} s, sliding at most {:.3g} m at {:.6g} s\n",
+                        extremes.tilt.value, extremes.tilt.t, extremes.sliding.value, extremes.sliding.t);
+    if (const auto& contact = scene.joints[j].plane.contact) {
+      text += fmt::format("  contact    restitution {:g}: a free impact gives back {:.4f} of its speed\n",
+                          contact->restitution, rebound_ratio(contact->restitution));
+    }
+    if (scene.joints[j].plane.shear) text += loss_text(last.losses);
+  }
+  for (std::size_t d = 0; d < run.drivers.size(); ++d) {
+    const char* unit = run.driver_turns[d] ? "N m" : "N";
+    text +=
+        fmt::format("driver       {}: {} from {:.6g} {} at {:.6g} s to {:.6g} {} at {:.6g} s\n", run.driver_names[d],
+                    run.driver_turns[d] ? "moment" : "force", run.drivers[d].min_moment.value, unit,
+                    run.drivers[d].min_moment.t, run.drivers[d].max_moment.value, unit, run.drivers[d].max_moment.t);
+  }
+  for (const ReactionExtremes& reaction : run.reactions) {
+    text += fmt::format("reaction     {}: {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
+  }
+  if (!scene.constraints.empty()) {
+    text += fmt::format(
+        "constraints  {} rows of rank {}, drift {:.1e} m or rad, {:.1e} per second, Euler parameters {:.1e}; start "
+        "moved by {:.1e} m, {:.1e} rad, {:.1e} m/s, {:.1e} rad/s\n",
+        run.rows, run.rank, run.drift.position, run.drift.velocity, run.drift.norm, run.correction.position,
+        run.correction.angle, run.correction.velocity, run.correction.spin);
+  } else {
+    text += fmt::format("bodies       Euler parameters off by {:.1e} before they were normalised\n", run.drift.norm);
+  }
+  if (run.energy_residual) {
+    text += fmt::format("energy       residual {:.2e} J, largest energy or work {:.4g} J\n", *run.energy_residual,
+                        run.energy_scale);
+  }
+  if (!run.events.empty()) {
+    text += fmt::format("contact      {} events, first at {:.9g} s\n", run.events.size(), run.events.front().t);
+  }
+  return text;
+}
+
+std::vector<std::string> run_warnings(const SpatialScene& scene, const SpatialTrajectory& run) {
+  std::vector<std::string> warnings;
+  if (!run.left_out.empty()) {
+    warnings.push_back(fmt::format(
+        "warning: the constraints have {} rows of rank {}; the run does without rows of {}, which the others "
+        "imply. Motions are not touched by the choice; reactions of the joints of that loop are not unique, "
+        "and those shown are one of many.",
+        run.rows, run.rank, counted(run.left_out)));
+  }
+  const SceneUnits units = scene_units(scene);
+  constexpr double share = 0.01;  // what a correction of rounding never reaches
+  if (run.correction.position > share * units.mechanism || run.correction.angle > share ||
+      run.correction.velocity > share * units.mechanism * units.rate || run.correction.spin > share * units.rate) {
+    warnings.push_back(fmt::format(
+        "warning: the start missed its constraints, and was moved by up to {:.3g} m, {:.3g} rad, {:.3g} m/s "
+        "and {:.3g} rad/s.",
+        run.correction.position, run.correction.angle, run.correction.velocity, run.correction.spin));
+  }
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j].plane;
+    const SpatialJointExtremes& extremes = run.joints[j];
+    if (joint.film == no_film) continue;
+    const std::string thin =
+        thin_film_warning(joint, joint.clearance - extremes.eccentricity.value, extremes.eccentricity.t);
+    if (!thin.empty()) warnings.push_back(thin);
+    if (!(extremes.edge_share.value > largest_edge_share)) continue;
+    std::string warning = fmt::format(
+        "warning: the tilt of joint \"{}\" took {:.3g} of the least film at the bearing's edge at {:.6g} s, {:.3g} rad "
+        "at "
+        "the most; the film is that of parallel axes, and is good for a tenth.",
+        joint.name, extremes.edge_share.value, extremes.edge_share.t, extremes.tilt.value);
+    if (joint.contact && extremes.edge_share.value >= 1) {
+      warning += " There its edge met the wall: the run went on with the plane's contact, which does not see that.";
+    }
+    warnings.push_back(warning);
+  }
+  return warnings;
+}
+
+}  // namespace lubjoint::reports
