@@ -128,7 +128,8 @@ TEST_CASE("engine: the scene starts on its periodic orbit, and its big end carri
   const MultibodySample& last = run.samples.back();
   for (std::size_t j = 0; j < 2; ++j) {
     const double c = scene.joints[j].clearance;
-    CHECK((first.joints[j].eccentricity - last.joints[j].eccentricity).norm() < 1e-5 * c);  // places in digits of 1e-16 m
+    CHECK((first.joints[j].eccentricity - last.joints[j].eccentricity).norm() <
+          1e-5 * c);  // places in digits of 1e-16 m
   }
   CHECK(*run.energy_residual < 1e-5 * run.energy_scale);  // a thousand times the tolerance, over a thousand steps
   // The clearances change the mechanism by some 1e-3 of its length.
@@ -192,8 +193,8 @@ TEST_CASE("big end: the orbit of a light journal is the mobility method's, at fi
   // As it ships the journal is light enough.
   CHECK(largest_distance(orbit_of(scene, 1e-3, t), massless) < 1e-6);
   // A bearing one part in a thousand wider is another orbit.
-  const auto other = mobility_orbit<ShortDynamic>(Bearing<double>(joint.length, joint.journal_radius, 1.001 * joint.clearance),
-                                                  Lubricant<double>(joint.viscosity), scene.bodies[0].spin / 2,
-                                                  PeriodicLoad(t, fx, fy), 8);
+  const auto other = mobility_orbit<ShortDynamic>(
+      Bearing<double>(joint.length, joint.journal_radius, 1.001 * joint.clearance), Lubricant<double>(joint.viscosity),
+      scene.bodies[0].spin / 2, PeriodicLoad(t, fx, fy), 8);
   CHECK(largest_distance(other, massless) > 1e-4);
 }

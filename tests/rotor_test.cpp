@@ -140,7 +140,7 @@ TEST_CASE("rotor: above the threshold a whirl of nearly half the spin grows, and
   double largest = 0;
   for (std::size_t i = n / 2; i < n; ++i) largest = std::max(largest, d.place[i].norm());
   INFO("late orbit " << largest << ", whirl ratio " << whirl_ratio(n - 32 * 40, n));
-  CHECK(largest > 0.3);                                             // it has grown by a factor of thousands
+  CHECK(largest > 0.3);                                            // it has grown by a factor of thousands
   CHECK(whirl_ratio(n - 32 * 40, n) == Approx(0.5).margin(0.03));  // oil whirl
   // While it is small it turns as the eigenvalue says.
   const double linear = std::abs(rest.eigenvalues[0].imag()) / spin;

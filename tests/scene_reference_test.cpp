@@ -82,9 +82,10 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
   CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_joint_film", "read_shear"}),
                                            asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
   // A driver's constant term is called by what it is of.
-  CHECK(documented("`[[constraints]]`") ==
-        both(asked_for(parts, {"read_constraint", "read_ground", "read_translational", "read_sides"}),
-             asked_for("lib/src/scene_drivers.cpp", {"read_driver", "read_slide_driver", "read_motion", "read_swing"})));
+  CHECK(
+      documented("`[[constraints]]`") ==
+      both(asked_for(parts, {"read_constraint", "read_ground", "read_translational", "read_sides"}),
+           asked_for("lib/src/scene_drivers.cpp", {"read_driver", "read_slide_driver", "read_motion", "read_swing"})));
   CHECK(documented("`[stabilisation]`") == asked_for(parts, {"read_stabilisation"}));
   CHECK(documented("`[integrator]`") == asked_for(file, {"read_integrator"}));
   CHECK(documented("`[output]`") == asked_for(file, {"read_output"}));

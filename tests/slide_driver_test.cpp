@@ -29,7 +29,12 @@ struct Parabola {
 
 TEST_CASE("slide driver: its rate, its columns and its gamma are those of its constraint, on a guide that turns") {
   MotionShape<Long> shape{Long(0.2), Long(5), Long(0.7)};
-  const SlideDriver<Long> driver{{0, {0.3, -0.1}}, {Long(0.6), Long(0.8)}, {1, {-0.2, 0.4}}, Long(0.1), Long(2), Long(-3),
+  const SlideDriver<Long> driver{{0, {0.3, -0.1}},
+                                 {Long(0.6), Long(0.8)},
+                                 {1, {-0.2, 0.4}},
+                                 Long(0.1),
+                                 Long(2),
+                                 Long(-3),
                                  std::make_shared<const MotionShape<Long>>(shape)};
   Parabola motion;
   const auto row_at = [&](const Parabola& m, const Long& t) {

@@ -132,10 +132,10 @@ TEST_CASE("table knots: every integrator has its order across them, and has not 
     double loose, tight;
   };
   // Orders seen along a series of tolerances scatter by half an order (as in the tests of the methods themselves).
-  for (const Expected& each : {Expected{"radau_iia5", 5, 1e-7, 1e-12}, Expected{"rosenbrock4", 4, 1e-5, 1e-9},
-                               Expected{"dopri5", 5, 1e-6, 1e-11}, Expected{"fehlberg78", 8, 1e-6, 1e-11},
-                               Expected{"bulirsch_stoer", 5.5, 1e-4, 1e-10},
-                               Expected{"adams_bashforth_moulton", 5.5, 1e-4, 1e-10}}) {
+  for (const Expected& each :
+       {Expected{"radau_iia5", 5, 1e-7, 1e-12}, Expected{"rosenbrock4", 4, 1e-5, 1e-9},
+        Expected{"dopri5", 5, 1e-6, 1e-11}, Expected{"fehlberg78", 8, 1e-6, 1e-11},
+        Expected{"bulirsch_stoer", 5.5, 1e-4, 1e-10}, Expected{"adams_bashforth_moulton", 5.5, 1e-4, 1e-10}}) {
     CHECK(order_of(each.name, each.loose, each.tight, true) > each.order - 0.6);
   }
   // A step over a kink has an error of another order, which its control sees too late or not at all. Rosenbrock's and

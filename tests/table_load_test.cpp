@@ -99,7 +99,8 @@ TEST_CASE("tables: what a file may not say is refused with its line, and so is w
     return refusal(files, tail);
   };
   CHECK(with("# N\nt,fx,fy\n0,1,2\n\n2, 3,4\n") == "accepted");
-  CHECK_THAT(with("time,fx\n0,1\n2,3\n"), Contains("f.csv:1: the first column is \"time\"; allowed is one of t, angle"));
+  CHECK_THAT(with("time,fx\n0,1\n2,3\n"),
+             Contains("f.csv:1: the first column is \"time\"; allowed is one of t, angle"));
   CHECK_THAT(with("t,fz\n0,1\n2,3\n"), Contains("f.csv:1: a column is \"fz\"; allowed is one of fx, fy, moment"));
   CHECK_THAT(with("t,fx,fx\n0,1,1\n2,3,3\n"), Contains("f.csv:1: column \"fx\" is there twice"));
   CHECK_THAT(with("t\n0\n2\n"), Contains("f.csv:1: one column alone"));
@@ -118,8 +119,10 @@ TEST_CASE("tables: what a file may not say is refused with its line, and so is w
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "interpolation = \"cubic\"\n"),
              Contains("interpolation is \"cubic\"; allowed is one of linear, pchip, makima"));
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "interpolation = \"pchip\"\n"), Contains("four rows or more"));
-  CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "against = \"rotor\"\n"), Contains("against is given for a table over t"));
-  CHECK_THAT(with("t,moment\n0,1\n2,3\n", on_free + "point = [0.1, 0.0]\n"), Contains("point is given for a moment alone"));
+  CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "against = \"rotor\"\n"),
+             Contains("against is given for a table over t"));
+  CHECK_THAT(with("t,moment\n0,1\n2,3\n", on_free + "point = [0.1, 0.0]\n"),
+             Contains("point is given for a moment alone"));
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "force = [1.0, 0.0]\n"), Contains("unknown key loads[0].force"));
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", "[[loads]]\nbody = \"free\"\ntable = \"g.csv\"\n"),
              Contains("loads[0].table is \"g.csv\", and there is no file") && Contains("relative to the scene"));
@@ -127,7 +130,8 @@ TEST_CASE("tables: what a file may not say is refused with its line, and so is w
   const std::string on_rotor = "[[loads]]\nbody = \"rotor\"\ntable = \"f.csv\"\n";
   CHECK(with(turn, on_rotor + "against = \"rotor\"\n") == "accepted");
   CHECK_THAT(with(turn, on_rotor), Contains("loads[0].against is missing"));
-  CHECK_THAT(with(turn, on_rotor + "against = \"rotor\"\nperiodic = true\n"), Contains("such a table always is periodic"));
+  CHECK_THAT(with(turn, on_rotor + "against = \"rotor\"\nperiodic = true\n"),
+             Contains("such a table always is periodic"));
   CHECK_THAT(with("angle,moment\n0,1\n360,1\n", on_rotor + "against = \"rotor\"\n"),
              Contains("a table over 360 rad of angle") && Contains("angles are in rad"));
   // The command line may ask for more than the file covers.
@@ -169,9 +173,10 @@ TEST_CASE("tables: between rows lies what Boost's interpolators have there, and 
   // A periodic table goes on as smoothly at its ends as at any other row.
   files.folder.write("f.csv", "t,fy\n0,1\n0.3,4\n0.7,2\n1.2,-3\n1.5,1\n");
   for (const std::string interpolation : {"pchip", "makima"}) {
-    const auto table = *load_scene(files.scene(on_free + "periodic = true\ninterpolation = \"" + interpolation + "\"\n"))
-                            .loads[0]
-                            .table->curves;
+    const auto table =
+        *load_scene(files.scene(on_free + "periodic = true\ninterpolation = \"" + interpolation + "\"\n"))
+             .loads[0]
+             .table->curves;
     CHECK(table.at(0.4 + 3 * 1.5)[1] == Approx(table.at(0.4)[1]).epsilon(1e-13));
     CHECK(table.at(0.4 - 2 * 1.5)[1] == Approx(table.at(0.4)[1]).epsilon(1e-13));
     const double before = table.with_derivatives(1.5 - 1e-9).slope[1];
@@ -239,8 +244,11 @@ TEST_CASE("tables: a moment over a body's angle gives it the energy under the cu
 
 TEST_CASE("drivers: a swing, a table and a way along a guide are followed, by the effort that they take") {
   const Files files;
-  const std::string spin_free = head.substr(0, head.find("spin = 3.0\n")) + head.substr(head.find("[[bodies]]\nname = \"slider\""));
-  const auto scene_of = [&](const std::string& tail) { return load_scene(files.folder.write("d.toml", spin_free + tail)); };
+  const std::string spin_free =
+      head.substr(0, head.find("spin = 3.0\n")) + head.substr(head.find("[[bodies]]\nname = \"slider\""));
+  const auto scene_of = [&](const std::string& tail) {
+    return load_scene(files.folder.write("d.toml", spin_free + tail));
+  };
   {
     const Scene scene = scene_of(
         "[[constraints]]\nname = \"motor\"\ntype = \"driver\"\nbody = \"rotor\"\nspeed = 2.0\n"
@@ -252,7 +260,7 @@ TEST_CASE("drivers: a swing, a table and a way along a guide are followed, by th
       const double t = run.samples[i].t;
       const double swing = 0.3 * std::cos(7 * t + 0.4);
       CHECK(phi[i] == Approx(2 * t + swing - 0.3 * std::cos(0.4)).margin(1e-9));  // a rotor that starts at angle 0
-      CHECK(moment[i] == Approx(-0.25 * 49 * swing).margin(1e-7));  // with Baumgarte's share of the drift
+      CHECK(moment[i] == Approx(-0.25 * 49 * swing).margin(1e-7));                // with Baumgarte's share of the drift
     }
   }
   {

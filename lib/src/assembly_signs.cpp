@@ -74,7 +74,8 @@ class Candidates {
     for (const Side& a : sides_on(scene_, pin.first.body)) {
       for (const Side& c : sides_on(scene_, pin.second.body)) {
         if (a.pin == &named || c.pin == &named || a.pin == c.pin) continue;
-        Candidate candidate{{a.pin->name + ", " + named.name + ", " + c.pin->name, false}, {}, stays(a.at) && stays(c.at)};
+        Candidate candidate{
+            {a.pin->name + ", " + named.name + ", " + c.pin->name, false}, {}, stays(a.at) && stays(c.at)};
         for (const AssemblyBranch& branch : branches_) {
           const Vector2<double> p = place_of(pin.first, branch.state);
           const Vector2<double> first = p - place_of(a.at, branch.state);

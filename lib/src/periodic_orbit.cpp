@@ -135,17 +135,6 @@ class Shooting {
   Scene scene_;
 };
 
-/// A driver that holds the angle of a body to a constant speed [rad/s].
-std::optional<double> even_speed(const Scene& scene, std::size_t body) {
-  if (scene.bodies[body].spin_is_held) return std::abs(scene.bodies[body].spin);
-  for (const SceneConstraint& each : scene.constraints) {
-    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
-    if (driver == nullptr || driver->second != body || driver->first != ground_body) continue;
-    if (driver->acceleration == 0 && !driver->shape) return std::abs(driver->speed);
-  }
-  return std::nullopt;
-}
-
 /// Does a time hold a period a whole number of times, to rounding of a file's digits?
 bool holds(double time, double period) {
   const double count = std::round(time / period);
@@ -161,9 +150,9 @@ std::optional<double> scene_period(const Scene& scene) {
     if (load.harmonic) periods.push_back(2 * std::numbers::pi / load.harmonic->rate);
     if (!load.table) continue;
     if (load.table->of_angle) {
-      const std::optional<double> speed = even_speed(scene, load.table->against);
-      repeats = repeats && speed && *speed > 0;
-      if (repeats) periods.push_back(load.table->curves->length() / *speed);
+      const std::optional<EvenTurn> turn = even_turn(scene, load.table->against);
+      repeats = repeats && turn && turn->speed != 0;
+      if (repeats) periods.push_back(load.table->curves->length() / std::abs(turn->speed));
     } else {
       repeats = repeats && load.table->curves->is_periodic();
       periods.push_back(load.table->curves->length());
@@ -200,7 +189,8 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
   State y = shooting.on_constraints(scene_start<double>(scene));
   const FreeDirections free(scene, system, y);
   if (free.count() == 0) {
-    throw SceneError(scene.file + ": the drivers leave nothing free; allowed is a scene whose motion is not prescribed");
+    throw SceneError(scene.file +
+                     ": the drivers leave nothing free; allowed is a scene whose motion is not prescribed");
   }
   const State at_start = y;
   // Driven bodies begin every period as the first one; the free directions are those of the start.
@@ -221,9 +211,10 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
     if (orbit.miss <= tolerance) break;
     if (++orbit.iterations > most_iterations) {
       std::ostringstream message;
-      message << scene.file << ": no motion of period " << period << " s after " << most_iterations
-              << " iterations, whose last left " << orbit.miss
-              << " clearances between its ends; allowed is a start nearer to one, a looser tolerance, or another period";
+      message
+          << scene.file << ": no motion of period " << period << " s after " << most_iterations
+          << " iterations, whose last left " << orbit.miss
+          << " clearances between its ends; allowed is a start nearer to one, a looser tolerance, or another period";
       throw SceneError(message.str());
     }
     const Vector step =

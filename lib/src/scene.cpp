@@ -22,11 +22,11 @@ bool is_free_journal(const Scene& scene) {
 
 namespace {
 
-/// Knots of a table of time that lie within (0, duration).
+/// Knots of a table that is read at delay + t, t in (0, duration).
 template <std::size_t N>
 void add_knots(const TableCurves<N>& curves, double delay, double duration, std::vector<double>& times) {
   const double length = curves.is_periodic() ? curves.length() : 0;
-  double turns = length > 0 ? std::floor((delay - curves.knots().front()) / length) : 0;
+  double turns = curves.periods(delay);
   do {
     for (const double knot : curves.knots()) {
       const double t = knot + turns * length - delay;
@@ -34,6 +34,15 @@ void add_knots(const TableCurves<N>& curves, double delay, double duration, std:
     }
     turns += 1;
   } while (length > 0 && curves.knots().front() + turns * length - delay < duration);
+}
+
+/// Times at which a body that turns evenly, in either sense, passes the knots of a table over its angle.
+void add_passages(const TableCurves<3>& curves, const EvenTurn& turn, double duration, std::vector<double>& times) {
+  if (turn.speed == 0) return;
+  const double way = turn.speed * duration;
+  std::vector<double> angles;  // from the lower end of the way on
+  add_knots(curves, turn.start + std::min(way, 0.0), std::abs(way), angles);
+  for (const double angle : angles) times.push_back((angle + std::min(way, 0.0)) / turn.speed);
 }
 
 }  // namespace
@@ -52,11 +61,25 @@ std::vector<SceneDriver> scene_drivers(const Scene& scene) {
   return drivers;
 }
 
+std::optional<EvenTurn> even_turn(const Scene& scene, std::size_t body) {
+  if (scene.bodies[body].spin_is_held) return EvenTurn{scene.bodies[body].angle, scene.bodies[body].spin};
+  for (const SceneConstraint& each : scene.constraints) {
+    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
+    if (driver == nullptr || driver->second != body || driver->first != ground_body) continue;
+    if (driver->acceleration == 0 && !driver->shape) return EvenTurn{driver->angle, driver->speed};
+  }
+  return std::nullopt;
+}
+
 std::vector<double> scene_knots(const Scene& scene) {
   std::vector<double> times;
   for (const SceneLoad& load : scene.loads) {
-    if (load.table && !load.table->of_angle)
+    if (!load.table) continue;
+    if (!load.table->of_angle) {
       add_knots(*load.table->curves, load.table->delay, scene.run.duration, times);
+    } else if (const std::optional<EvenTurn> turn = even_turn(scene, load.table->against)) {
+      add_passages(*load.table->curves, *turn, scene.run.duration, times);
+    }
   }
   for (const SceneConstraint& each : scene.constraints) {
     std::visit(

@@ -53,17 +53,18 @@ Scene with_closed_joints(const Scene& scene, const AssemblyRequest& request) {
     closed.constraints.push_back({joint.name, Revolute<double>{joint.bearing, joint.journal}});
   }
   for (const auto& [name, angle] : request.angles) {
-    const auto driver = std::find_if(closed.constraints.begin(), closed.constraints.end(), [&, &n = name](const auto& c) {
-      return c.name == n && std::holds_alternative<Driver<double>>(c.constraint);
-    });
+    const auto driver = std::find_if(
+        closed.constraints.begin(), closed.constraints.end(),
+        [&, &n = name](const auto& c) { return c.name == n && std::holds_alternative<Driver<double>>(c.constraint); });
     const auto body =
         std::find_if(closed.bodies.begin(), closed.bodies.end(), [&, &n = name](const auto& b) { return b.name == n; });
     if (driver != closed.constraints.end()) {
       auto& motor = std::get<Driver<double>>(driver->constraint);
       if (motor.shape) {
-        throw SceneError(scene.file + ": driver \"" + name +
-                         "\" has a motion of its own, a swing or a table; allowed is the angle of another driver, or of "
-                         "a body");
+        throw SceneError(
+            scene.file + ": driver \"" + name +
+            "\" has a motion of its own, a swing or a table; allowed is the angle of another driver, or of "
+            "a body");
       }
       motor.angle = angle;
     } else if (body != closed.bodies.end()) {
@@ -254,15 +255,16 @@ SceneAssembly assemble_scene(const Scene& scene, const AssemblyRequest& request)
   const auto others = result.branches.begin() + (result.guesses_lead ? 1 : 0);
   std::sort(others, result.branches.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
   for (AssemblyBranch& branch : result.branches) {
-    // A whole turn more or less is the same place: the one nearest to the guesses, unless a driver's angle counts turns.
+    // A whole turn more or less is the same place: the one nearest to the guesses, unless a driver's angle counts
+    // turns.
     State nearer = branch.state;
     for (std::size_t i = 2; i < nearer.size() / 2; i += 3) {
       nearer[i] = guesses[i] + std::remainder(nearer[i] - guesses[i], 2 * std::numbers::pi);
     }
     SystemWorkspace<double> w = system.workspace<double>();
     system.evaluate_kinematics(0.0, nearer.data(), w);
-    const bool fits =
-        std::all_of(w.rows.begin(), w.rows.end(), [&](const auto& row) { return std::abs(row.value) <= 1e-9 * length; });
+    const bool fits = std::all_of(w.rows.begin(), w.rows.end(),
+                                  [&](const auto& row) { return std::abs(row.value) <= 1e-9 * length; });
     if (fits) branch.state = nearer;
     branch.correction = correction_of(guesses, branch.state);
   }
@@ -295,7 +297,7 @@ std::string with_start(const SceneFile& file, const Scene& scene, const std::vec
     if (!scene.bodies[b].spin_is_held) numbers.push_back({"bodies", b, "spin", {v[2]}});
   }
   std::string text = with_numbers(file, numbers);
-  const std::vector<double> again = scene_start<double>(SceneFile(text, file.name()).scene());
+  const std::vector<double> again = scene_start<double>(SceneFile(text, file.name()).rough_scene());
   for (std::size_t i = 0; i < state.size(); ++i) {
     const bool is_held = i >= n && (i - n) % 3 == 2 && scene.bodies[(i - n) / 3].spin_is_held;
     if (is_held || again[i] == state[i]) continue;

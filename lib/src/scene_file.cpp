@@ -190,7 +190,7 @@ double read_duration(TableReader& root) {
 
 namespace {
 
-SceneJoint read_joint(TableReader table, const Scene& scene) {
+SceneJoint read_joint(TableReader table, const Scene& scene, bool is_rough) {
   SceneJoint joint = read_joint_film(table);
   if (is_taken(scene.joints, joint.name)) {
     table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
@@ -201,7 +201,7 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
     table.refuse("journal", "on the same body as the bearing", "another body");
   }
   const Vector2<double> e = (position_of(joint.journal, scene) - position_of(joint.bearing, scene)) / joint.clearance;
-  if (!joint.contact && !(one_minus_squared_norm(e.x(), e.y()) > 0)) {
+  if (!is_rough && !joint.contact && !(one_minus_squared_norm(e.x(), e.y()) > 0)) {
     std::ostringstream given;
     given << "at eccentricity ratio " << e.norm() << " in its bearing";
     table.refuse("journal", given.str(),
@@ -230,7 +230,8 @@ void require_massless_journals(const TableReader& root, const Scene& scene) {
       "a mass above 0, or a journal alone, at the mass centre of its body, on a film in a bearing on the ground");
 }
 
-Scene read_scene(TableReader root, const std::string& file) {
+/// @param is_rough  are places guesses, which a journal may have outside its bearing?
+Scene read_scene(TableReader root, const std::string& file, bool is_rough = false) {
   Scene scene;
   scene.file = file;
   if (root.number_or("dimension", 2, Allowed::positive, "-") != 2) {
@@ -246,7 +247,7 @@ Scene read_scene(TableReader root, const std::string& file) {
   for (const TableReader& table : root.tables("bodies")) scene.bodies.push_back(read_body(table, scene.bodies));
   if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
   for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_load(table, scene));
-  for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_joint(table, scene));
+  for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_joint(table, scene, is_rough));
   for (const TableReader& table : root.tables("constraints")) {
     scene.constraints.push_back(read_constraint(table, scene));
   }
@@ -340,6 +341,11 @@ Scene SceneFile::scene(const std::vector<SceneChange>& changes) const {
   toml::table table = parse_scene_text(text_, name_);
   for (const SceneChange& change : changes) change_value(table, change, name_);
   return read_scene(TableReader(table, name_, ""), name_);
+}
+
+Scene SceneFile::rough_scene() const {
+  const toml::table table = parse_scene_text(text_, name_);
+  return read_scene(TableReader(table, name_, ""), name_, true);
 }
 
 std::string SceneFile::numbered_key(const std::string& key) const {

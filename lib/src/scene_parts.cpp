@@ -128,7 +128,8 @@ SceneAnchor read_anchor(TableReader table, const Scene& scene) {
 Vector2<double> read_point(TableReader& table, std::string_view key, const Scene& scene, std::size_t body) {
   if (!table.is_text(key)) return table.vector_or(key, Vector2<double>(0, 0), "m");
   const std::string name = table.text(key);
-  if (body == ground_body) table.refuse(key, in_quotes(name), "[x, y] [m], inertial: the ground's points have no names");
+  if (body == ground_body)
+    table.refuse(key, in_quotes(name), "[x, y] [m], inertial: the ground's points have no names");
   const SceneBody& holder = scene.bodies[body];
   const auto found = std::find_if(holder.points.begin(), holder.points.end(),
                                   [&](const ScenePoint& point) { return point.name == name; });

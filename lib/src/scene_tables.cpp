@@ -63,7 +63,8 @@ void read_header(const Place& place, std::string_view line, const std::vector<st
       place.refuse((leads ? "the first column is " : "a column is ") + in_quotes(std::string(name)),
                    one_of(known, name));
     }
-    if (result.find(name) != nullptr) place.refuse("column " + in_quotes(std::string(name)) + " is there twice", "once");
+    if (result.find(name) != nullptr)
+      place.refuse("column " + in_quotes(std::string(name)) + " is there twice", "once");
     result.names.emplace_back(name);
     result.columns.emplace_back();
   }
@@ -280,9 +281,9 @@ SceneTable read_load_table(TableReader& table, const Scene& scene) {
     const std::vector<double>* values = given.find(quantities[i]);
     if (values == nullptr) continue;
     if (periodic && values->front() != values->back()) {
-      table.refuse("table", "a periodic table whose " + std::string(quantities[i]) + " is " +
-                                with_unit(values->front(), "") + " in its first row and " +
-                                with_unit(values->back(), "") + " in its last",
+      table.refuse("table",
+                   "a periodic table whose " + std::string(quantities[i]) + " is " + with_unit(values->front(), "") +
+                       " in its first row and " + with_unit(values->back(), "") + " in its last",
                    "one whose first and last row are the same");
     }
     const std::vector<Cubic> of_column = interpolated(knots, *values, interpolation, periodic);

@@ -51,11 +51,11 @@ void add_assemble(CLI::App& app, Action& action) {
       for (const std::string& each : options->angles) request.angles.push_back(parse_angle(each));
       request.open_joints = options->open;
       const SceneFile file(options->file);
-      const Scene scene = file.scene();
+      const Scene scene = file.rough_scene();  // its places are guesses
       const SceneAssembly assembly = assemble_scene(scene, request);
       if (options->branch < 1 || options->branch > assembly.branches.size()) {
-        throw std::invalid_argument("--branch is " + std::to_string(options->branch) + "; allowed is a number from 1 to " +
-                                    std::to_string(assembly.branches.size()));
+        throw std::invalid_argument("--branch is " + std::to_string(options->branch) +
+                                    "; allowed is a number from 1 to " + std::to_string(assembly.branches.size()));
       }
       if (options->json) {
         std::cout << reports::assembly_json(scene, assembly).dump(2) << '\n';

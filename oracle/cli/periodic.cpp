@@ -41,12 +41,9 @@ void add_periodic(CLI::App& app, Action& action) {
       const double tolerance = options->tolerance.value_or(100 * scene.run.relative_tolerance);
       const PeriodicOrbit orbit = periodic_orbit(scene, *period, tolerance);
       if (options->json) {
-        const nlohmann::ordered_json json{{"scene", scene.name},
-                                          {"period", orbit.period},
-                                          {"miss", orbit.miss},
-                                          {"iterations", orbit.iterations},
-                                          {"runs", orbit.runs},
-                                          {"largest_multiplier", orbit.largest_multiplier},
+        const nlohmann::ordered_json json{{"scene", scene.name}, {"period", orbit.period},
+                                          {"miss", orbit.miss},  {"iterations", orbit.iterations},
+                                          {"runs", orbit.runs},  {"largest_multiplier", orbit.largest_multiplier},
                                           {"state", orbit.state}};
         std::cout << json.dump(2) << '\n';
         return 0;

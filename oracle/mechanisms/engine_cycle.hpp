@@ -14,21 +14,21 @@ namespace lubjoint::mechanisms {
 /// begins: intake to π, compression to 2π, expansion to 3π, exhaust to 4π. The piston's own outer side is at ambient
 /// pressure.
 struct EngineCycle {
-  double crank = 0.043;             ///< throw [m]
-  double rod = 0.143;               ///< length between the pins [m]
-  double bore = 0.086;              ///< [m]
-  double compression_ratio = 10;    ///< largest over smallest volume
-  double ambient = 1.0e5;           ///< [Pa]
-  double intake = 0.6e5;            ///< pressure of the intake [Pa]
-  double exhaust = 1.1e5;           ///< pressure of the exhaust [Pa]
-  double isentropic = 1.33;         ///< κ of compression, combustion and expansion
-  double heat = 500;                ///< Q, put in by combustion [J]
-  double ignition_degrees = 345;    ///< crank angle at which combustion begins
-  double combustion_degrees = 55;   ///< its length
-  double wiebe_shape = 2;           ///< m of x_b = 1 − exp(−a s^{m+1})
-  double wiebe_end = 5;             ///< a
-  double blowdown_degrees = 50;     ///< after 540°: the pressure falls to the exhaust's as half a cosine
-  double overlap_degrees = 20;      ///< before 720°: it falls to the intake's, likewise
+  double crank = 0.043;            ///< throw [m]
+  double rod = 0.143;              ///< length between the pins [m]
+  double bore = 0.086;             ///< [m]
+  double compression_ratio = 10;   ///< largest over smallest volume
+  double ambient = 1.0e5;          ///< [Pa]
+  double intake = 0.6e5;           ///< pressure of the intake [Pa]
+  double exhaust = 1.1e5;          ///< pressure of the exhaust [Pa]
+  double isentropic = 1.33;        ///< κ of compression, combustion and expansion
+  double heat = 500;               ///< Q, put in by combustion [J]
+  double ignition_degrees = 345;   ///< crank angle at which combustion begins
+  double combustion_degrees = 55;  ///< its length
+  double wiebe_shape = 2;          ///< m of x_b = 1 − exp(−a s^{m+1})
+  double wiebe_end = 5;            ///< a
+  double blowdown_degrees = 50;    ///< after 540°: the pressure falls to the exhaust's as half a cosine
+  double overlap_degrees = 20;     ///< before 720°: it falls to the intake's, likewise
 
   static double radians(double degrees) { return degrees * boost::math::constants::pi<double>() / 180; }
 
@@ -82,10 +82,10 @@ struct EngineCycle {
 
 /// Masses of the moving parts. The crank is balanced and turns evenly.
 struct EngineMasses {
-  double rod = 0.55;           ///< [kg]
+  double rod = 0.55;            ///< [kg]
   double rod_inertia = 2.1e-3;  ///< about its mass centre [kg m²]
-  double rod_centre = 0.045;   ///< its mass centre from the big end [m]
-  double piston = 0.45;        ///< with its pin [kg]
+  double rod_centre = 0.045;    ///< its mass centre from the big end [m]
+  double piston = 0.45;         ///< with its pin [kg]
 };
 
 /// Force of the rod on the crank pin of the ideal mechanism at a steady speed, inertial [N]. Newton and Euler: the
@@ -98,14 +98,13 @@ inline Vector2<double> big_end_load(const EngineCycle& engine, const EngineMasse
   const double rate = -engine.crank / engine.rod * c * speed / cosine;
   const double turning = (engine.crank / engine.rod * s * speed * speed + sine * rate * rate) / cosine;
   const auto at = [&](double along) {  // acceleration of a point of the rod, from the crank pin
-    return Vector2<double>(
-        -engine.crank * c * speed * speed - along * (sine * turning + cosine * rate * rate),
-        -engine.crank * s * speed * speed + along * (cosine * turning - sine * rate * rate));
+    return Vector2<double>(-engine.crank * c * speed * speed - along * (sine * turning + cosine * rate * rate),
+                           -engine.crank * s * speed * speed + along * (cosine * turning - sine * rate * rate));
   };
   const double piston_force = masses.piston * at(engine.rod).x() - engine.gas_force(angle);  // of the rod on it
   const Vector2<double> centre = at(masses.rod_centre);
-  const double moment = masses.rod_inertia * turning +
-                        masses.rod * masses.rod_centre * (cosine * centre.y() - sine * centre.x());
+  const double moment =
+      masses.rod_inertia * turning + masses.rod * masses.rod_centre * (cosine * centre.y() - sine * centre.x());
   // The pin's force on the rod at the small end is −(piston_force, f_y): l (cos(−f_y) − sin(−piston_force)) = moment.
   const double across = (engine.rod * sine * piston_force - moment) / (engine.rod * cosine);
   const Vector2<double> crank_on_rod(masses.rod * centre.x() + piston_force, masses.rod * centre.y() + across);

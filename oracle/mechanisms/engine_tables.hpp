@@ -9,7 +9,7 @@
 
 namespace lubjoint::mechanisms {
 
-inline constexpr int engine_table_step = 2;         ///< between rows, in degrees of the crank's angle
+inline constexpr int engine_table_step = 2;       ///< between rows, in degrees of the crank's angle
 inline constexpr double engine_speed_rpm = 3000;  ///< of the load diagram
 
 /// Speed of the crank of the load diagram [rad/s].
@@ -46,7 +46,8 @@ inline std::string gas_force_table(const EngineCycle& engine) {
 /// CSV t,fx,fy of the rod's force on the crank pin, inertial; the last row has the first one's force.
 inline std::string big_end_table(const EngineCycle& engine, const EngineMasses& masses) {
   std::string text =
-      "# Load diagram of the big end of engine.toml's mechanism with ideal joints at 3000 rpm: force of the rod on the\n"
+      "# Load diagram of the big end of engine.toml's mechanism with ideal joints at 3000 rpm: force of the rod on "
+      "the\n"
       "# crank pin in inertial axes, the cylinder along x.\n"
       "t,fx,fy\n";
   for (int degrees = 0; degrees <= 720; degrees += engine_table_step) {

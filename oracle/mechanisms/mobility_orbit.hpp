@@ -47,8 +47,8 @@ class PeriodicLoad {
   Interpolator x_, y_;
 };
 
-/// ê̇ = u + ω̄ ê⊥ with F(ê, u) = −W(t) (Booker): ê at the rows' times on the periodic orbit. Steps of Fehlberg's method of
-/// order 8, some to each row, so that none crosses a knot; periods until one ends where it began.
+/// ê̇ = u + ω̄ ê⊥ with F(ê, u) = −W(t) (Booker): ê at the rows' times on the periodic orbit. Steps of Fehlberg's method
+/// of order 8, some to each row, so that none crosses a knot; periods until one ends where it began.
 template <class Law>
 std::vector<Vector2<double>> mobility_orbit(const Bearing<double>& bearing, const Lubricant<double>& oil,
                                             double mean_spin, const PeriodicLoad& load, int steps_a_row) {

@@ -17,8 +17,8 @@ std::string search_words(const SceneAssembly& assembly) {
         "(--angle NAME=VALUE holds a body)",
         assembly.freedoms);
   }
-  return fmt::format("{} {} from the guesses and {} other starts, of which {} arrived", assembly.branches.size(),
-                     assembly.branches.size() == 1 ? "branch" : "branches", assembly.other_starts, assembly.arrived);
+  return fmt::format("{} {} from the guesses and {} other starts", assembly.branches.size(),
+                     assembly.branches.size() == 1 ? "branch" : "branches", assembly.other_starts);
 }
 
 }  // namespace
@@ -65,7 +65,8 @@ nlohmann::ordered_json assembly_json(const Scene& scene, const SceneAssembly& as
 
 std::string assembly_text(const Scene& scene, const SceneAssembly& assembly) {
   std::string text = fmt::format("scene        {}\nassembly     {}\n", scene.name, search_words(assembly));
-  if (!assembly.guesses_lead) text += "guesses      lead nowhere: the nearest of the branches that other starts led to is first\n";
+  if (!assembly.guesses_lead)
+    text += "guesses      lead nowhere: the nearest of the branches that other starts led to is first\n";
   text += fmt::format("\n{:<8} {:>10} {:>12} {:>15} {:>14}", "branch", "moves [m]", "turns [rad]", "velocity [m/s]",
                       "spin [rad/s]");
   for (const AssemblySign& sign : assembly.signs) text += "  " + sign.name;
@@ -73,7 +74,8 @@ std::string assembly_text(const Scene& scene, const SceneAssembly& assembly) {
   for (std::size_t i = 0; i < assembly.branches.size(); ++i) {
     const AssemblyBranch& branch = assembly.branches[i];
     const StartCorrection<double>& c = branch.correction;
-    text += fmt::format("{:<8} {:>10.4g} {:>12.4g} {:>15.4g} {:>14.4g}", i + 1, c.position, c.angle, c.velocity, c.spin);
+    text +=
+        fmt::format("{:<8} {:>10.4g} {:>12.4g} {:>15.4g} {:>14.4g}", i + 1, c.position, c.angle, c.velocity, c.spin);
     for (std::size_t k = 0; k < assembly.signs.size(); ++k) {
       const std::string words = sign_words(assembly.signs[k], branch.signs[k]);
       const bool last = k + 1 == assembly.signs.size();

@@ -27,7 +27,8 @@ std::string anchor_of(const SceneAnchor& anchor) { return body_number(anchor.bod
 /// What a driver's motion has beside its start, speed and acceleration; nothing where there is nothing.
 std::string shape_of(const std::shared_ptr<const MotionShape<double>>& shape) {
   if (!shape) return {};
-  std::string words = fmt::format(" swing {} {} {}", number(shape->amplitude), number(shape->rate), number(shape->phase));
+  std::string words =
+      fmt::format(" swing {} {} {}", number(shape->amplitude), number(shape->rate), number(shape->phase));
   if (!shape->table) return words;
   words += fmt::format(" table {}", number(shape->delay));
   for (const double knot : shape->table->knots())

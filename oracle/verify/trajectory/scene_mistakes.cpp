@@ -87,8 +87,7 @@ std::vector<SceneNumber> numbers_of(const Scene& scene) {
                       load.moment *= factor;
                       if (load.unbalance) load.unbalance->mass_radius *= factor;
                       if (load.table) {
-                        load.table->curves =
-                            std::make_shared<const TableCurves<3>>(load.table->curves->scaled(factor));
+                        load.table->curves = std::make_shared<const TableCurves<3>>(load.table->curves->scaled(factor));
                       }
                     }});
   }

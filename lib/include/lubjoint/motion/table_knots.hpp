@@ -13,7 +13,8 @@
 
 namespace lubjoint {
 
-/// The interval of each table that a run is in. A body that turns either way meets the knot at the end that it turns to.
+/// The interval of each table that a run is in. A body that turns either way meets the knot at the end that it turns
+/// to.
 template <class R>
 class TableKnots {
  public:
@@ -25,7 +26,7 @@ class TableKnots {
   explicit TableKnots(const PlanarSystem<R>& system) : coordinates_(system.coordinates()) {
     for (const MovingLoad<R>& each : system.elements().loads) {
       const auto* load = std::get_if<TableLoad<R>>(&each);
-      if (load == nullptr || !load->of_angle) continue;
+      if (load == nullptr || !load->of_angle || load->at_known_times) continue;
       const bool known = std::any_of(watched_.begin(), watched_.end(), [&](const Watched& w) {
         return w.body == load->against && w.table == load->table.get();
       });
@@ -33,7 +34,7 @@ class TableKnots {
     }
   }
 
-  bool empty() const { return watched_.empty(); }                              ///< is there no such table?
+  bool empty() const { return watched_.empty(); }                         ///< is there no such table?
   std::size_t margins() const { return margins_each * watched_.size(); }  ///< number of surfaces
 
   /// The intervals that a start is in: at a knot, the one that the body turns into.

@@ -10,11 +10,11 @@ namespace lubjoint {
 /// What a driver's motion has beside φ₀ + ωt + ½αt²: A cos(νt + ψ), and a table of t, twice differentiable.
 template <class R>
 struct MotionShape {
-  R amplitude;                                   ///< A [rad or m]; 0: none
-  R rate;                                        ///< ν [rad/s]
-  R phase;                                       ///< ψ [rad]
+  R amplitude;                                    ///< A [rad or m]; 0: none
+  R rate;                                         ///< ν [rad/s]
+  R phase;                                        ///< ψ [rad]
   std::shared_ptr<const TableCurves<1>> table{};  ///< none: no table
-  R delay{0};                                    ///< the table is read at t + delay [s]
+  R delay{0};                                     ///< the table is read at t + delay [s]
 
   /// On another scalar.
   template <class S>

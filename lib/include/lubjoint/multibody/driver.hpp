@@ -9,13 +9,13 @@ namespace lubjoint {
 /// The driving moment on body j, counter-clockwise positive, is −λ.
 template <class R>
 struct Driver {
-  static constexpr std::size_t rows = 1;                    ///< scalar equations
-  std::size_t first;                                        ///< body i; may be the ground
-  std::size_t second;                                       ///< body j, which is turned
-  R angle;                                                  ///< φ₀ [rad]
-  R speed;                                                  ///< ω [rad/s]
-  R acceleration;                                           ///< α [rad/s²]
-  std::shared_ptr<const MotionShape<R>> shape = nullptr;    ///< none: f is what φ₀, ω and α say
+  static constexpr std::size_t rows = 1;                  ///< scalar equations
+  std::size_t first;                                      ///< body i; may be the ground
+  std::size_t second;                                     ///< body j, which is turned
+  R angle;                                                ///< φ₀ [rad]
+  R speed;                                                ///< ω [rad/s]
+  R acceleration;                                         ///< α [rad/s²]
+  std::shared_ptr<const MotionShape<R>> shape = nullptr;  ///< none: f is what φ₀, ω and α say
 
   std::size_t first_body() const { return first; }    ///< i
   std::size_t second_body() const { return second; }  ///< j
@@ -48,14 +48,14 @@ struct Driver {
 /// The driving force on body j along u is −λ.
 template <class R>
 struct SlideDriver {
-  static constexpr std::size_t rows = 1;                    ///< scalar equations
-  BodyPoint<R> first;                                       ///< P_i, from which the way is measured
-  Vector2<R> axis;                                          ///< u, fixed to body i; a unit vector
-  BodyPoint<R> second;                                      ///< P_j, which is moved
-  R position;                                               ///< at t = 0, without the shape [m]
-  R speed;                                                  ///< [m/s]
-  R acceleration;                                           ///< [m/s²]
-  std::shared_ptr<const MotionShape<R>> shape = nullptr;    ///< none: f is what the three before it say
+  static constexpr std::size_t rows = 1;                  ///< scalar equations
+  BodyPoint<R> first;                                     ///< P_i, from which the way is measured
+  Vector2<R> axis;                                        ///< u, fixed to body i; a unit vector
+  BodyPoint<R> second;                                    ///< P_j, which is moved
+  R position;                                             ///< at t = 0, without the shape [m]
+  R speed;                                                ///< [m/s]
+  R acceleration;                                         ///< [m/s²]
+  std::shared_ptr<const MotionShape<R>> shape = nullptr;  ///< none: f is what the three before it say
 
   std::size_t first_body() const { return first.body; }    ///< i
   std::size_t second_body() const { return second.body; }  ///< j
@@ -63,8 +63,8 @@ struct SlideDriver {
   /// On another scalar.
   template <class S>
   SlideDriver<S> cast() const {
-    return {first.template cast<S>(),  axis.template cast<S>(), second.template cast<S>(), S(position), S(speed),
-            S(acceleration), cast_shape<S>(shape)};
+    return {first.template cast<S>(), axis.template cast<S>(), second.template cast<S>(), S(position), S(speed),
+            S(acceleration),          cast_shape<S>(shape)};
   }
   /// Calls visit(point) for each point that it fixes to a body.
   template <class Visit>

@@ -70,17 +70,19 @@ struct Unbalance {
 /// A force at a point fixed to a body, and a moment, from a table of time or of a body's angle.
 template <class R>
 struct TableLoad {
-  BodyPoint<R> at;                               ///< where the force acts
-  bool turns_with_body;                          ///< is the force given in the body's axes?
-  std::shared_ptr<const TableCurves<3>> table;   ///< F_x, F_y [N] and M, counter-clockwise positive [N m]
-  bool of_angle;                                 ///< of a body's angle, in place of time?
-  std::size_t against;                           ///< that body
-  R delay;                                       ///< a table of time is read at t + delay [s]
+  BodyPoint<R> at;                              ///< where the force acts
+  bool turns_with_body;                         ///< is the force given in the body's axes?
+  std::shared_ptr<const TableCurves<3>> table;  ///< F_x, F_y [N] and M, counter-clockwise positive [N m]
+  bool of_angle;                                ///< of a body's angle, in place of time?
+  std::size_t against;                          ///< that body
+  R delay;                                      ///< a table of time is read at t + delay [s]
+  /// Does that body turn evenly? Its knots are then times that a run is told, and no places that it looks for.
+  bool at_known_times = false;
 
   /// On another scalar.
   template <class S>
   TableLoad<S> cast() const {
-    return {at.template cast<S>(), turns_with_body, table, of_angle, against, S(delay)};
+    return {at.template cast<S>(), turns_with_body, table, of_angle, against, S(delay), at_known_times};
   }
   std::size_t body() const { return at.body; }  ///< that it acts on
 
@@ -115,7 +117,8 @@ using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>, TableLoad<R>>;
 template <class T, class R, class Time, class Frame, class Add>
 void apply_load(const MovingLoad<R>& load, const Time& t, const Frame& frame, const Add& add) {
   if (const auto* table = std::get_if<TableLoad<R>>(&load)) return table->template apply_with<T>(frame, t, add);
-  if (const auto* unbalance = std::get_if<Unbalance<R>>(&load)) return unbalance->apply(frame(unbalance->body()), t, add);
+  if (const auto* unbalance = std::get_if<Unbalance<R>>(&load))
+    return unbalance->apply(frame(unbalance->body()), t, add);
   const auto& point = std::get<PointLoad<R>>(load);
   point.apply(frame(point.body()), t, add);
 }

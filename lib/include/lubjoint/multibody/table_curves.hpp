@@ -32,9 +32,9 @@ class TableCurves {
     }
   }
 
-  const std::vector<double>& knots() const { return knots_; }          ///< x_k
-  bool is_periodic() const { return periodic_; }                       ///< does it repeat?
-  double length() const { return knots_.back() - knots_.front(); }     ///< x_n − x_0, the period of a periodic table
+  const std::vector<double>& knots() const { return knots_; }       ///< x_k
+  bool is_periodic() const { return periodic_; }                    ///< does it repeat?
+  double length() const { return knots_.back() - knots_.front(); }  ///< x_n − x_0, the period of a periodic table
   const std::vector<std::array<Cubic, N>>& pieces() const { return pieces_; }  ///< between the knots
 
   /// How many periods lie between x and the table's own; 0 of one that is not periodic.
@@ -49,9 +49,9 @@ class TableCurves {
   /// f, f′ and f″.
   template <class T>
   struct Values {
-    std::array<T, N> value;       ///< f
-    std::array<T, N> slope;       ///< f′
-    std::array<T, N> curvature;   ///< f″
+    std::array<T, N> value;      ///< f
+    std::array<T, N> slope;      ///< f′
+    std::array<T, N> curvature;  ///< f″
   };
 
   /// f at x, which may carry derivatives.

@@ -26,9 +26,9 @@ struct Margin {
 
 /// What follows an event.
 enum class AfterEvent {
-  go_on,     ///< the system has changed its equations: the same states, another piece
-  keep_pace, ///< so it has, but the rate has not jumped, its derivatives alone: steps stay as long as they were
-  hand_over  ///< another system takes over, as where sliding leaves fewer states
+  go_on,      ///< the system has changed its equations: the same states, another piece
+  keep_pace,  ///< so it has, but the rate has not jumped, its derivatives alone: steps stay as long as they were
+  hand_over   ///< another system takes over, as where sliding leaves fewer states
 };
 
 /// Equations of motion in pieces, each smooth, and the surfaces between them. It has Real, State, dimension

@@ -86,7 +86,8 @@ PlanarSystem<R> planar_system(const Scene& scene) {
                                             load.table->curves,
                                             load.table->of_angle,
                                             load.table->against,
-                                            R(load.table->delay)});
+                                            R(load.table->delay),
+                                            load.table->of_angle && even_turn(scene, load.table->against)});
     } else if (!load.is_constant()) {
       const SceneHarmonic harmonic = load.harmonic.value_or(SceneHarmonic());
       elements.loads.push_back(PointLoad<R>{{load.body, load.point.template cast<R>()},

@@ -12,9 +12,9 @@ namespace lubjoint {
 
 /// A motion that repeats.
 struct PeriodicOrbit {
-  double period = 0;           ///< [s]
-  std::vector<double> state;   ///< (q, q̇) at t = 0
-  double miss = 0;             ///< what a period leaves between its start and its end, in the scene's units (clearances)
+  double period = 0;          ///< [s]
+  std::vector<double> state;  ///< (q, q̇) at t = 0
+  double miss = 0;            ///< what a period leaves between its start and its end, in the scene's units (clearances)
   std::size_t iterations = 0;  ///< of Newton's method
   std::size_t runs = 0;        ///< of a period each
   /// Largest modulus of the multipliers, the factors by which a small deviation grows in a period: below 1 it dies out.
@@ -25,9 +25,9 @@ struct PeriodicOrbit {
 /// nothing in the scene repeats.
 std::optional<double> scene_period(const Scene& scene);
 
-/// Newton's method on P(z) − z, where z are the coordinates and velocities that the constraints leave free and P is a run
-/// of one period. P's derivatives are differences of runs; what they are off by slows the iteration, and is not in its
-/// result. Two plain periods come first: a start's own motion has died out by then, or a guess is nearer.
+/// Newton's method on P(z) − z, where z are the coordinates and velocities that the constraints leave free and P is a
+/// run of one period. P's derivatives are differences of runs; what they are off by slows the iteration, and is not in
+/// its result. Two plain periods come first: a start's own motion has died out by then, or a guess is nearer.
 /// @param period  [s]
 /// @param tolerance  of `miss`; at least some ten times the run's relative tolerance
 /// @throws SceneError  a run that stops, a free journal, or no orbit after 20 iterations

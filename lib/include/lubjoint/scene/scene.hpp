@@ -161,15 +161,25 @@ bool is_massless_journal(const Scene& scene);
 
 /// What prescribes a motion in a scene that runs as a mechanism.
 struct SceneDriver {
-  std::string name;                ///< of the constraint, or of a body's held spin
-  const char* effort = "moment";   ///< what it does to its second body: "moment" or, along a guide, "force"
-  const char* unit = "N m";        ///< of that
+  std::string name;               ///< of the constraint, or of a body's held spin
+  const char* effort = "moment";  ///< what it does to its second body: "moment" or, along a guide, "force"
+  const char* unit = "N m";       ///< of that
 };
 
 /// All drivers, in the order of a run's results: constraints, then held spins. None of a free journal.
 std::vector<SceneDriver> scene_drivers(const Scene& scene);
 
-/// Times within the run at which tables of time have knots, ascending [s].
+/// The angle start + speed t of a body that turns evenly for the whole run.
+struct EvenTurn {
+  double start;  ///< [rad]
+  double speed;  ///< [rad/s]
+};
+
+/// How a body turns whose spin is held, or that a driver on the ground turns at a constant speed; nothing of others.
+std::optional<EvenTurn> even_turn(const Scene& scene, std::size_t body);
+
+/// Times within the run at which tables have knots, ascending [s]: those of time, and those over the angle of a body
+/// that turns evenly.
 std::vector<double> scene_knots(const Scene& scene);
 
 /// Number of works in the scene's ledger, if it has one: those of dampers only where there are any.

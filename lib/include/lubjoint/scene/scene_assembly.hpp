@@ -46,12 +46,13 @@ struct SceneAssembly {
 
 /// Positions that fulfil all constraints, by damped Gauss–Newton steps of least kinetic-energy norm from the scene's
 /// places, and then velocities, changed by as little in that norm. Joints with clearance count as pins.
-/// @throws SceneError  a name that the scene has not, constraints that repeat or contradict each other there, or that no
+/// @throws SceneError  a name that the scene has not, constraints that repeat or contradict each other there, or that
+/// no
 ///   position near any start fulfils
 SceneAssembly assemble_scene(const Scene& scene, const AssemblyRequest& request = {});
 
-/// The text of the scene's file with the places and velocities of an assembled branch, and with the drivers' angles that
-/// were asked for; all else stays. Read again, the text is that scene.
+/// The text of the scene's file with the places and velocities of an assembled branch, and with the drivers' angles
+/// that were asked for; all else stays. Read again, the text is that scene.
 /// @throws SceneError
 std::string assembled_text(const SceneFile& file, const Scene& scene, const AssemblyRequest& request,
                            const AssemblyBranch& branch);

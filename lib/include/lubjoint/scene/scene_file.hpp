@@ -44,6 +44,10 @@ class SceneFile {
   /// @throws SceneError
   Scene scene(const std::vector<SceneChange>& changes = {}) const;
 
+  /// The same of a file whose places are guesses: a journal may be outside its bearing.
+  /// @throws SceneError
+  Scene rough_scene() const;
+
   /// A change's key with numbers in place of names: joints[0].clearance for joints.gudgeon-pin.clearance.
   /// @throws SceneError if it leads nowhere
   std::string numbered_key(const std::string& key) const;
