@@ -139,8 +139,11 @@ TEST_CASE("engine: the scene starts on its periodic orbit, and its big end carri
     const Vector2<double> ideal = big_end_load({}, {}, engine_speed(), std::min(angle, 4 * std::numbers::pi));
     largest = std::max(largest, (sample.joints[0].force - ideal).norm());
   }
-  CHECK(largest < 0.05 * 8300);  // of the largest load
-  CHECK(run.joints[0].force.value == Approx(8300).epsilon(0.03));
+  double peak = 0;
+  for (double degrees = 0; degrees < 720; degrees += 0.1)
+    peak = std::max(peak, big_end_load({}, {}, engine_speed(), EngineCycle::radians(degrees)).norm());
+  CHECK(largest < 0.05 * peak);
+  CHECK(run.joints[0].force.value == Approx(peak).epsilon(0.01));
 }
 
 TEST_CASE("engine: shooting finds the periodic orbit from another start, and says when there is none") {
@@ -150,7 +153,7 @@ TEST_CASE("engine: shooting finds the periodic orbit from another start, and say
     for (const SceneBody& body : scene.bodies) y.insert(y.end(), {body.position.x(), body.position.y(), body.angle});
     return y;
   }();
-  scene.bodies[1].position += Vector2<double>(5e-6, -8e-6);
+  scene.bodies[1].position += Vector2<double>(-4e-6, 3e-6);
   const PeriodicOrbit orbit = periodic_orbit(scene, *scene_period(scene), 1e-5);
   CHECK(orbit.miss <= 1e-5);
   CHECK(orbit.largest_multiplier < 1);
@@ -191,7 +194,7 @@ TEST_CASE("big end: the orbit of a light journal is the mobility method's, at fi
   CHECK(std::abs(d2 / d3 - 2) < std::abs(d1 / d2 - 2) + 1e-3);
   CHECK(d3 > 1e-7);  // far above what the runs are good to
   // As it ships the journal is light enough.
-  CHECK(largest_distance(orbit_of(scene, 1e-3, t), massless) < 1e-6);
+  CHECK(largest_distance(orbit_of(scene, scene.bodies[0].mass, t), massless) < 1e-6);
   // A bearing one part in a thousand wider is another orbit.
   const auto other = mobility_orbit<ShortDynamic>(
       Bearing<double>(joint.length, joint.journal_radius, 1.001 * joint.clearance), Lubricant<double>(joint.viscosity),

@@ -30,7 +30,7 @@ struct Side {
 struct Candidate {
   AssemblySign sign;
   std::vector<int> values;  ///< of the branches
-  bool same_ends;           ///< are its first and last joints at the same places in all branches?
+  bool same_ends = false;   ///< are its first and last joints at the same places in all branches?
 };
 
 int sign_of(double value, double size) { return std::abs(value) <= flat * size ? 0 : value > 0 ? 1 : -1; }
@@ -74,8 +74,9 @@ class Candidates {
     for (const Side& a : sides_on(scene_, pin.first.body)) {
       for (const Side& c : sides_on(scene_, pin.second.body)) {
         if (a.pin == &named || c.pin == &named || a.pin == c.pin) continue;
-        Candidate candidate{
-            {a.pin->name + ", " + named.name + ", " + c.pin->name, false}, {}, stays(a.at) && stays(c.at)};
+        Candidate candidate;
+        candidate.sign.name = a.pin->name + ", " + named.name + ", " + c.pin->name;
+        candidate.same_ends = stays(a.at) && stays(c.at);
         for (const AssemblyBranch& branch : branches_) {
           const Vector2<double> p = place_of(pin.first, branch.state);
           const Vector2<double> first = p - place_of(a.at, branch.state);
@@ -96,7 +97,9 @@ class Candidates {
       if (guide == nullptr || (guide->first.body != guided && guide->second.body != guided)) continue;
       for (const Side& a : sides_on(scene_, body)) {
         if (a.pin == &named) continue;
-        Candidate candidate{{a.pin->name + " to " + named.name + " along " + each.name, true}, {}, stays(a.at)};
+        Candidate candidate;
+        candidate.sign = AssemblySign{a.pin->name + " to " + named.name + " along " + each.name, true};
+        candidate.same_ends = stays(a.at);
         for (const AssemblyBranch& branch : branches_) {
           const Vector2<double> way = place_of(pin.first, branch.state) - place_of(a.at, branch.state);
           const Vector2<double> axis = inertial_vector(motion_in(branch.state, guide->first.body), guide->axis);

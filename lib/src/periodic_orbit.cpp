@@ -198,8 +198,8 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
     return shooting.on_constraints(free.moved(at_start, free.between(at_start, end)));
   };
   for (std::size_t i = 0; i < first_periods; ++i) y = renewed(shooting.after_period(y));
+  State end = shooting.after_period(y);
   while (true) {
-    const State end = shooting.after_period(y);
     const Vector miss = free.between(y, end);
     orbit.miss = miss.cwiseAbs().maxCoeff();
     Eigen::MatrixXd slope(free.count(), free.count());
@@ -219,7 +219,17 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
     }
     const Vector step =
         (Eigen::MatrixXd::Identity(free.count(), free.count()) - slope).colPivHouseholderQr().solve(miss);
-    y = shooting.on_constraints(free.moved(y, step));
+    // A step that leaves a film is too long.
+    for (double share = 1;; share /= 2) {
+      try {
+        const State next = shooting.on_constraints(free.moved(y, share * step));
+        end = shooting.after_period(next);
+        y = next;
+        break;
+      } catch (const SceneError&) {
+        if (share < 0.01) throw;
+      }
+    }
   }
   orbit.state = y;
   orbit.runs = shooting.runs;

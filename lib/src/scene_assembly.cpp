@@ -291,10 +291,10 @@ std::string with_start(const SceneFile& file, const Scene& scene, const std::vec
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const double* q = &state[3 * b];
     const double* v = q + n;
-    numbers.push_back({"bodies", b, "position", {q[0], q[1]}});
-    numbers.push_back({"bodies", b, "angle", {q[2]}});
-    numbers.push_back({"bodies", b, "velocity", {v[0], v[1]}});
-    if (!scene.bodies[b].spin_is_held) numbers.push_back({"bodies", b, "spin", {v[2]}});
+    numbers.push_back({"bodies", b, "position", {q[0], q[1]}, true});
+    numbers.push_back({"bodies", b, "angle", {q[2]}, true});
+    numbers.push_back({"bodies", b, "velocity", {v[0], v[1]}, true});
+    if (!scene.bodies[b].spin_is_held) numbers.push_back({"bodies", b, "spin", {v[2]}, true});
   }
   std::string text = with_numbers(file, numbers);
   const std::vector<double> again = scene_start<double>(SceneFile(text, file.name()).rough_scene());

@@ -66,6 +66,8 @@ std::string with_numbers(const SceneFile& file, const std::vector<WrittenNumbers
       edits.push_back({byte_of(text, value->source().begin), byte_of(text, value->source().end), shown(each.numbers)});
       continue;
     }
+    const bool is_zero = std::all_of(each.numbers.begin(), each.numbers.end(), [](double x) { return x == 0; });
+    if (is_zero && each.zero_is_default) continue;
     // Behind the name, which every element has.
     const std::size_t end = byte_of(text, table->get("name")->source().end);
     const std::string added = each.key + " = " + shown(each.numbers);

@@ -117,6 +117,30 @@ void driver(Proof& proof) {
   gamma_is_acceleration(proof, m, m.algebra({2, 5}), stretch * cos(i.phi) + d.x * m.t);
 }
 
+/// The way of a point of body j along an axis of body i is prescribed; its closed form is the library's.
+void slide_driver(Proof& proof) {
+  const Motion m = two_bodies();
+  const symbol six("s_ix"), siy("s_iy"), sjx("s_jx"), sjy("s_jy"), ux("u_x"), uy("u_y");
+  const symbol start("p_0"), speed("v_0"), acceleration("a_0");
+  const PlanarBody i(m, 0), j(m, 3);
+  const Planar u = i.in_plane({ux, uy});
+  const Planar s_i = i.in_plane({six, siy});
+  const Planar s_j = j.in_plane({sjx, sjy});
+  const Planar d = j.r + s_j - (i.r + s_i);
+  const ex driven = dot(u, d) - start - speed * m.t - acceleration * pow(m.t, 2) / 2;
+  const Algebra algebra = m.algebra({2, 5});
+  gamma_is_acceleration(proof, m, algebra, driven);
+  const Planar n{-u.y, u.x};
+  const Planar rate{m.rate(d.x), m.rate(d.y)};
+  const ex spin_i = m.velocity[2];
+  const ex spin_j = m.velocity[5];
+  proof.equal(algebra, m.gamma(driven),
+              pow(spin_i, 2) * dot(u, d) - 2 * spin_i * dot(n, rate) + pow(spin_j, 2) * dot(u, s_j) -
+                  pow(spin_i, 2) * dot(u, s_i) + acceleration);
+  proof.equal(algebra, driven.diff(m.position[2]), dot(n, d) + dot(n, s_i));
+  proof.equal(algebra, driven.diff(m.position[5]), -dot(n, s_j));
+}
+
 /// With Φq q̈ = γ − 2αΦ̇ − β²Φ (second row of eq. 41) the constraint obeys Φ̈ + 2αΦ̇ + β²Φ = 0.
 void baumgarte(Proof& proof, int sign) {
   const Motion m({"q1", "q2"});
@@ -195,6 +219,7 @@ std::vector<Statement> mechanics_statements() {
   all.push_back({constraints, "gamma of the translational joint, and 0 for its angle", "eq. 40", holds, translational});
   all.push_back(
       {constraints, "gamma of a driver is its prescribed acceleration; rheonomic distance", "eq. 40", holds, driver});
+  all.push_back({constraints, "gamma and columns of a driver along an axis of a body", "eq. 40", holds, slide_driver});
   all.push_back({constraints, "eq. 41 is Phi'' + 2 alpha Phi' + beta^2 Phi = 0", "eq. 41", holds,
                  [](Proof& proof) { baumgarte(proof, -1); }, "Phi' = Phi_q q' + Phi_t"});
   all.push_back({constraints, "eq. 41 with alpha = beta = 0 is eq. 39", "eqs. 39, 41", holds, without_stabilisation});

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "lubjoint/scene/periodic_orbit.hpp"
+
 namespace lubjoint::reports {
 
 namespace {
@@ -32,8 +34,10 @@ double amplitude(const std::vector<Vector2<double>>& places, std::size_t begin, 
   return largest;
 }
 
-/// A period of a scene that a driver turns evenly.
+/// A period of a scene that a driver turns evenly; with tables, that of all that acts on it.
 std::optional<double> period_of(const Scene& scene) {
+  if (std::any_of(scene.loads.begin(), scene.loads.end(), [](const SceneLoad& load) { return load.table.has_value(); }))
+    return scene_period(scene);
   const Driver<double>* driver = nullptr;
   for (const SceneConstraint& each : scene.constraints) {
     const auto* another = std::get_if<Driver<double>>(&each.constraint);

@@ -24,6 +24,21 @@ struct SceneUnits {
   double energy;     ///< [J]
 };
 
+/// A load from a table on any scalar.
+template <class R>
+TableLoad<R> table_load(const Scene& scene, const SceneLoad& load) {
+  const SceneTable& table = *load.table;
+  TableLoad<R> result{};
+  result.at = {load.body, load.point.template cast<R>()};
+  result.turns_with_body = load.turns_with_body;
+  result.table = table.curves;
+  result.of_angle = table.of_angle;
+  result.against = table.against;
+  result.delay = R(table.delay);
+  result.at_known_times = table.of_angle && even_turn(scene, table.against).has_value();
+  return result;
+}
+
 /// The scene's bodies, constraints and joints on any scalar.
 template <class R>
 PlanarSystem<R> planar_system(const Scene& scene) {
@@ -81,13 +96,7 @@ PlanarSystem<R> planar_system(const Scene& scene) {
     if (load.unbalance) {
       elements.loads.push_back(Unbalance<R>{load.body, R(load.unbalance->mass_radius), R(load.unbalance->phase)});
     } else if (load.table) {
-      elements.loads.push_back(TableLoad<R>{{load.body, load.point.template cast<R>()},
-                                            load.turns_with_body,
-                                            load.table->curves,
-                                            load.table->of_angle,
-                                            load.table->against,
-                                            R(load.table->delay),
-                                            load.table->of_angle && even_turn(scene, load.table->against)});
+      elements.loads.emplace_back(table_load<R>(scene, load));
     } else if (!load.is_constant()) {
       const SceneHarmonic harmonic = load.harmonic.value_or(SceneHarmonic());
       elements.loads.push_back(PointLoad<R>{{load.body, load.point.template cast<R>()},

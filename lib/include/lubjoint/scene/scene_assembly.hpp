@@ -30,8 +30,8 @@ struct AssemblyBranch {
 
 /// A sign that tells branches apart: the sense in which three joints follow each other, or of a way along a guide.
 struct AssemblySign {
-  std::string name;  ///< "A, B, C", or "A to B along C"
-  bool of_guide;     ///< forwards and backwards, in place of counter-clockwise and clockwise
+  std::string name;       ///< "A, B, C", or "A to B along C"
+  bool of_guide = false;  ///< forwards and backwards, in place of counter-clockwise and clockwise
 };
 
 /// All the ways that were found.
@@ -59,10 +59,11 @@ std::string assembled_text(const SceneFile& file, const Scene& scene, const Asse
 
 /// Numbers of a scene file, at a key of an element of one of its lists.
 struct WrittenNumbers {
-  std::string table;            ///< "bodies" or "constraints"
-  std::size_t element;          ///< which of them
-  std::string key;              ///< of the element; added where it is not there
-  std::vector<double> numbers;  ///< one, or two of an array
+  std::string table;             ///< "bodies" or "constraints"
+  std::size_t element;           ///< which of them
+  std::string key;               ///< of the element; added where it is not there
+  std::vector<double> numbers;   ///< one, or two of an array
+  bool zero_is_default = false;  ///< is a key of zeros that is not there left out?
 };
 
 /// The text with those numbers in place of the file's. Comments and all else stay.
