@@ -4,7 +4,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
+#include "lubjoint/film/compiled_coefficients.hpp"
+#include "oracle/certified/finite_coefficients.hpp"
 #include "oracle/certified/finite_length.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
@@ -18,8 +21,11 @@ namespace {
 
 const fs::path folder = LUBJOINT_SOURCE_DIR "/data/golden/finite_length";
 constexpr const char* file_name = "finite_film_force.csv";
+using certified::finite_coefficients_file;
 
-reports::CsvTable golden_table() { return {reports::read_input((folder / file_name).string()), file_name}; }
+reports::CsvTable golden_table(const char* name = file_name) {
+  return {reports::read_input((folder / name).string()), name};
+}
 
 certified::GoldenRun one_in(std::size_t every) {
   certified::GoldenRun run;
@@ -83,4 +89,81 @@ TEST_CASE("golden finite films: the tables that ship have these forces, to what 
     ++compared;
   }
   CHECK(compared == 4 * 4 * 18);
+}
+
+TEST_CASE("golden finite films: coefficients of two solvers agree to six digits, to two and a half on grids") {
+  const reports::CsvTable table = golden_table(finite_coefficients_file);
+  CHECK(table.rows() == certified::finite_steady_states().size());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto value = [&](const std::string& column) { return table.number(row, table.column(column)); };
+    INFO(table.line(row));
+    const bool free = table.line(row).starts_with("finite_reynolds");
+    for (const std::string matrix : {"k", "c"}) {
+      double size = 0;
+      for (const std::string axes : {"xx", "xy", "yx", "yy"}) size = std::max(size, std::abs(value(matrix + axes)));
+      const double uncertainty = value(matrix == "k" ? "stiffness_uncertainty" : "damping_uncertainty");
+      CHECK(uncertainty <= (free ? 1.2e-2 : 1e-6) * size);  // as data/README.md says
+      CHECK(uncertainty > 0);
+    }
+    CHECK(value("sommerfeld") == Approx(1 / (M_PI * value("load"))).epsilon(1e-3));  // its printed digits
+    // Full films, and those that rupture by Swift and Stieber, have a potential: C is symmetric. Nothing here made it
+    // so.
+    if (free || table.line(row).starts_with("finite_full")) {
+      CHECK(std::abs(value("cxy") - value("cyx")) <= 2 * value("damping_uncertainty"));
+    }
+  }
+}
+
+TEST_CASE("golden finite films: the tables that ship have these coefficients and rest there") {
+  const reports::CsvTable table = golden_table(finite_coefficients_file);
+  std::map<std::string, double> worst;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto value = [&](const std::string& column) { return table.number(row, table.column(column)); };
+    const double shape = value("length_over_diameter");
+    if (shape == 4) continue;  // no table ships
+    const std::string name = table.line(row).substr(0, table.line(row).find(','));
+    const auto film = shipped_film(name, reports::number(shape));
+    const Bearing<double> bearing(2 * shape, 1, 1e-3);
+    const double epsilon = value("eccentricity_ratio");
+    with_compiled_law(*film, [&]<class Law>(const Law& law) {
+      const SteadyPlace<double> place(epsilon);
+      const auto force = [&law](const PolarFilmState<double>& state) { return compiled_polar_force_ratio(law, state); };
+      const auto rest = steady_film_of<double>(bearing, 1.0, force, place, 1.0, coefficient_ratios(law, place, 1));
+      INFO(table.line(row));
+      CHECK(std::abs(rest.load - value("load")) <= film->error * rest.load + value("load_uncertainty"));
+      CHECK(std::abs(rest.attitude - value("attitude")) <= film->error + value("attitude_uncertainty"));
+      const auto held = [&](const auto& matrix, const std::string& letter, const char* bound) {
+        const std::array<std::string, 4> axes = {"xx", "xy", "yx", "yy"};
+        const double size = matrix.cwiseAbs().maxCoeff() * bearing.clearance();
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double entry = matrix(static_cast<int>(k / 2), static_cast<int>(k % 2)) * bearing.clearance();
+          const double off = std::abs(entry - value(letter + axes[k])) - value(bound);
+          worst[name] = std::max(worst[name], off / size);
+        }
+      };
+      held(rest.stiffness, "k", "stiffness_uncertainty");
+      held(rest.damping, "c", "damping_uncertainty");
+    });
+  }
+  // Of a matrix's largest entry. What a table's slopes are off is more than its stated error of the force, by what
+  // differentiating polynomials of degree 20 costs.
+  for (const auto& [name, off] : worst) {
+    INFO(name << " " << off);
+    CHECK(off <= (name == "finite_reynolds" ? 1e-3 : 3e-6));
+  }
+  CHECK(worst.size() == 4);
+}
+
+TEST_CASE("golden finite films: a changed coefficient is found by making it again") {
+  std::string text = reports::read_input((folder / finite_coefficients_file).string());
+  CHECK(certified::check_finite_coefficients(text, one_in(41)).empty());
+  std::size_t at = text.find('\n') + 1;
+  for (int comma = 0; comma < 8; ++comma) at = text.find(',', at) + 1;  // kxx of the first row, which is 0; then kxy
+  at = text.find(',', at) + 1;
+  at = text.find_first_of("123456789", at);
+  text[at] = text[at] == '9' ? '1' : static_cast<char>(text[at] + 1);
+  const auto differences = certified::check_finite_coefficients(text, one_in(1000));
+  REQUIRE(differences.size() == 1);
+  CHECK(differences[0].column == "kxy");
+  CHECK_THAT(differences[0].what, Catch::Contains("more than both uncertainties"));
 }

@@ -134,6 +134,38 @@ TEST_CASE("model-error: the short laws are right in a short bearing, and say so"
   CHECK_THAT(result.out.substr(line, 60), Contains("finite_half: short_half at"));
 }
 
+TEST_CASE("model-error: errors by L/D and eccentricity ratio are those of data/model-error.csv") {
+  const ProgramResult result = lubjoint_program(model_error({"--lookup"}));
+  REQUIRE(result.status == 0);
+  const std::vector<CsvRow> made = parse_csv(result.out);
+  const std::vector<CsvRow> kept = read_csv(LUBJOINT_SOURCE_DIR "/data/model-error.csv");
+  REQUIRE(made.size() == kept.size());
+  const auto near = [](double one, double other) {
+    return std::abs(one - other) <= 0.06 * other + 1e-3;
+  };  // two digits
+  double butenschoen = 0, moes = 0, short_dynamic = 1;
+  for (std::size_t row = 0; row < made.size(); ++row) {
+    const auto value = [&](const char* column) { return number(kept[row].at(column)); };
+    const std::string& law = kept[row].at("law");
+    INFO(row << " " << law);
+    CHECK(made[row].at("law") == law);
+    for (const char* column :
+         {"length_over_diameter", "eccentricity_ratio", "median", "closing", "sliding", "opening"}) {
+      CHECK(near(number(made[row].at(column)), value(column)));
+    }
+    const double shape = value("length_over_diameter");
+    if (law == "butenschoen") CHECK(shape <= 1);  // where his fit ends
+    if (value("eccentricity_ratio") > 0.5) continue;
+    if (law == "butenschoen" && shape == 1) butenschoen = std::max(butenschoen, value("opening"));
+    if (law == "moes_impedance" && shape == 0.25) moes = std::max(moes, value("closing"));
+    if (law == "short_dynamic" && shape == 0.125) short_dynamic = std::min(short_dynamic, value("median"));
+  }
+  CHECK(butenschoen > 0.5);    // the two fits' sum is not the film's force where wedge and opening meet
+  CHECK(moes < 0.05);          // 2.5 % against finite-volume solutions at L/D = 1/4
+  CHECK(short_dynamic < 0.1);  // nearly the short bearing
+  CHECK(lubjoint_program(model_error({"--lookup", "--radius", "0.01"})).status == 2);
+}
+
 TEST_CASE("model-error: half a question, or two, is refused") {
   const auto refused = [](const Words& more, const std::string& message) {
     const ProgramResult result = lubjoint_program(model_error(more));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "oracle/verify/gallery/gallery_finite.hpp"
 #include "oracle/verify/states/foreign_program.hpp"
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
@@ -304,7 +305,7 @@ TEST_CASE("verify: data/mistakes.md is what the program says") {
   std::ifstream file(LUBJOINT_SOURCE_DIR "/data/mistakes.md");
   std::stringstream text;
   text << file.rdbuf();
-  CHECK(text.str() == gallery_markdown());
+  CHECK(text.str() == gallery_markdown() + finite_gallery_markdown());
   CHECK_THAT(shell("\"$LUBJOINT\" verify --list-mistakes").output, Contains("transport_moment_left_out"));
 }
 

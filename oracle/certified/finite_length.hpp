@@ -6,37 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "oracle/certified/finite_force.hpp"
 #include "oracle/certified/golden.hpp"
-#include "oracle/reynolds/finite_length.hpp"
 
 namespace lubjoint::certified {
-
-/// A state of finite_film_force.csv.
-struct FiniteGoldenState {
-  oracle::FiniteFilm film;
-  double length_to_diameter;
-  PolarFilmState<double> state;
-};
 
 /// L/D ¼, ½, 1, the paper's 2.0408 and 4; ε 0.1, 0.5 and 0.9; rotation, squeeze that closes and opens, and both
 /// together, also the other way round.
 std::vector<FiniteGoldenState> finite_golden_states();
 
-/// The force over S = μLR³/c² [1/s], radial and tangential, and a bound of its error in magnitude.
-struct FiniteGoldenForce {
-  double radial;
-  double tangential;
-  double uncertainty;
-};
 /// By two solvers that share no step: of full, half and dynamic films both in series, of finite_reynolds finite volumes
 /// and finite elements. The uncertainty is what they differ by, and their own bounds; of finite_reynolds the bound of
 /// the finite volumes, whose force it is.
 FiniteGoldenForce finite_golden_force(const FiniteGoldenState& state);
 
-/// Writes finite_film_force.csv and its manifest into a folder.
+/// Writes finite_film_force.csv, finite_film_coefficients.csv and their manifest into a folder.
 void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& run = {});
 
-/// Compares manifest and columns, and makes one force in run.every again: differences are those beyond both
+/// Compares manifest and columns, and makes one row in run.every again: differences are those beyond both
 /// uncertainties together, as other processors round otherwise.
 std::vector<reports::GoldenDifference> check_finite_golden(const std::filesystem::path& folder,
                                                            const GoldenRun& run = {});

@@ -7,6 +7,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/files/files.hpp"
+#include "oracle/laws/model_error_lookup.hpp"
 
 namespace lubjoint::cli {
 
@@ -21,6 +22,7 @@ struct ModelErrorOptions {
   std::optional<double> load;
   std::optional<double> spin;
   std::optional<std::string> out;
+  bool lookup = false;
 };
 
 /// A bearing, and what loads it if that is known.
@@ -78,8 +80,18 @@ void add_model_error(CLI::App& app, Action& action) {
   command->add_option("--load", options->load, "Constant load [N], for the equilibrium");
   command->add_option("--spin", options->spin, "Sum of the absolute spins of journal and bearing [rad/s]");
   command->add_option("--out", options->out, "Folder for model-error.csv and the maps");
+  command->add_flag("--lookup", options->lookup,
+                    "Every law's error by L/D and eccentricity ratio, as CSV, and no more: data/model-error.csv");
   command->callback([options, &action] {
     action = [options] {
+      if (options->lookup) {
+        if (options->scene || options->length || options->radius || options->clearance || options->viscosity ||
+            options->load || options->spin || options->out) {
+          throw std::invalid_argument("--lookup is the same for all bearings; allowed is it alone");
+        }
+        std::cout << reports::model_error_lookup();
+        return 0;
+      }
       const Question question = question_of(*options);
       if (options->out) reports::prepare_folder(*options->out);
       const auto map = reports::model_error_map(question.bearing, reports::ModelErrorGrid::standard());

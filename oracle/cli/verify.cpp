@@ -8,7 +8,7 @@
 #include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/cli/other_programs.hpp"
 #include "oracle/cli/scene_options.hpp"
-#include "oracle/files/data_folder.hpp"
+#include "oracle/cli/verify_words.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/parallel.hpp"
@@ -49,28 +49,6 @@ struct VerifyOptions {
   std::vector<std::string> program;
   std::vector<std::string> given;  ///< names of the options on the command line
 };
-
-/// Adapters for a program of one's own.
-struct Template {
-  std::string_view language;
-  const char* file;
-};
-constexpr std::array templates = {Template{"python", "film.py"},   Template{"octave", "film.m"},
-                                  Template{"c", "film.c"},         Template{"cpp", "film.cpp"},
-                                  Template{"fortran", "film.f90"}, Template{"julia", "film.jl"}};
-
-std::vector<std::string_view> template_languages() {
-  std::vector<std::string_view> names;
-  for (const Template& each : templates) names.push_back(each.language);
-  return names;
-}
-
-int print_template(const std::string& language) {
-  require_name("--template", language, template_languages());
-  const auto* found = std::ranges::find(templates, language, &Template::language);
-  std::cout << reports::read_input((reports::data_folder() / "templates" / found->file).string());
-  return 0;
-}
 
 /// An option that would do nothing is refused.
 void refuse_options_without_effect(const VerifyOptions& o) {
@@ -316,10 +294,14 @@ int run_finite(const VerifyOptions& o) {
 int run(const VerifyOptions& o) {
   refuse_options_without_effect(o);
   if (o.list_mistakes) {
-    std::cout << (o.markdown ? verify::gallery_markdown() : verify::described_gallery());
+    std::cout << (o.markdown ? verify::gallery_markdown() + verify::finite_gallery_markdown()
+                             : verify::described_gallery() + verify::described_finite_gallery());
     return 0;
   }
-  if (!o.language.empty()) return print_template(o.language);
+  if (!o.language.empty()) {
+    std::cout << verify_template(o.language);
+    return 0;
+  }
   if (!o.scene.empty() || !o.trajectory.empty()) {
     try {
       return verify_trajectory(o);
@@ -342,38 +324,6 @@ int run(const VerifyOptions& o) {
   } catch (const verify::UnjudgedError& error) {
     return refuse(o, error);
   }
-}
-
-/// What programs are given and have to answer, and what is right at a journal in the centre.
-std::string described_quantities() {
-  std::string text =
-      "Columns of the states (after id), and those of the answers, SI units; without dimensions, lengths in "
-      "clearances,\n"
-      "time in 1/omega of the journal in a bearing at rest, force in S omega, S = mu R L^3/c^2 (short) or mu L "
-      "R^3/c^2:\n";
-  for (const std::string_view name : verify::quantities_names) {
-    const verify::Quantities quantities = verify::quantities_of(name);
-    text.append("  ").append(name).append("\n    given    ");
-    bool first = true;
-    for (const verify::StateColumn& column : verify::state_columns(quantities)) {
-      text.append(first ? "" : ",").append(column.name);
-      first = false;
-    }
-    text += "\n    answers  id";
-    for (const std::string_view column : verify::answer_columns(quantities)) text.append(",").append(column);
-    text += '\n';
-  }
-  return text +
-         "coefficients, equilibrium: load along -y [N], bearing at rest; F = -K e - C v in these axes, the first index "
-         "is\n"
-         "the force's direction; attitude from the load to e, positive in the sense of the spin [rad]. losses: "
-         "torques\n"
-         "about each body's own centre. Any columns of these three may be given; those that are there are judged.\n"
-         "contact: --law lankarani_nikravesh, hunt_crossley, flores, gonthier or auto.\n"
-         "id may be left out of answers that keep the order of the states.\n"
-         "States with e = 0 come, too. There the radial direction is that of the journal's velocity relative to the\n"
-         "bearing, and the force is the limit e -> 0; with e = 0 and no velocity it is 0. No answer may be nan.\n"
-         "Exit status: 0 agrees, 1 disagrees, 2 could not be judged, or bad usage.";
 }
 
 }  // namespace

@@ -1,16 +1,14 @@
 #include "oracle/verify/states/finite_film.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 
 #include "oracle/files/parallel.hpp"
+#include "oracle/verify/states/finite_suspects.hpp"
 
 namespace lubjoint::verify {
 
@@ -19,7 +17,6 @@ namespace {
 using oracle::FilmOnset;
 using oracle::FiniteFilm;
 
-constexpr std::array shapes = {0.25, 0.5, 1.0, 2.0};
 constexpr std::array ratios = {0.1, 0.3, 0.5, 0.7, 0.9};
 
 /// a/ε and b over the journal's spin, and the bearing's spin over it.
@@ -35,40 +32,13 @@ constexpr std::array motions = {Motion{0, 0, 1, 0},      Motion{0, 0, -1, 0},   
 
 double error_asked_for(FiniteFilm film) { return film == FiniteFilm::finite_reynolds ? 3e-4 : 1e-6; }
 
-/// ε, a and b of a state, and its radial direction; r is the velocity's at e = 0.
-struct Place {
-  PolarFilmState<double> film;
-  Vector2<double> radial;
-};
-
-Place place_of(Quantities quantities, const State& s) {
-  if (quantities == Quantities::polar) {
-    const double a = s.eccentricity_ratio * (s.omega - 2 * s.attitude_rate);
-    return {PolarFilmState<double>(s.eccentricity_ratio, a, s.squeeze_rate), {1, 0}};
-  }
-  const Vector2<double> e(s.ex / s.clearance, s.ey / s.clearance);
-  const Vector2<double> v(s.vx / s.clearance, s.vy / s.clearance);
-  const Vector2<double> r = direction(e);
-  const double epsilon = norm(e);
-  // Not through u: with v = 0 the squeeze is zero, and the onset may be pinned.
-  const double a = epsilon * (s.omega_bearing + s.omega_journal) - 2 * dot(v, perpendicular(r));
-  return {PolarFilmState<double>(epsilon, a, dot(v, r)), r};
-}
-
 /// The right answer, in the answer's components.
 FiniteComparison expected_of(const FiniteClaim& claim, Quantities quantities, const State& s) {
-  const Place place = place_of(quantities, s);
-  const Bearing<double> bearing(s.length, s.radius, s.clearance);
-  const double scale = force_scale(BearingLimit::long_bearing, bearing, Lubricant<double>(s.viscosity));
-  const oracle::FiniteForce force = oracle::finite_force(
-      claim.film, s.length / (2 * s.radius), place.film.in_own_frame(), {error_asked_for(claim.film), claim.onset});
+  const auto right = finite_answer(claim, quantities, s, {}, {error_asked_for(claim.film), claim.onset});
   FiniteComparison comparison;
-  comparison.expected = scale * (force.ratio.x() * place.radial + force.ratio.y() * perpendicular(place.radial));
-  comparison.bound = force.relative_error();
-  // On the half film's jump, at a = 0, rounding decides which side is meant.
-  constexpr double rounding = 1e-9;
-  const bool on_jump = std::abs(place.film.slip_rate) <= rounding * std::abs(place.film.squeeze_rate);
-  if (claim.film == FiniteFilm::finite_half && on_jump) comparison.outcome = Outcome::left_out;
+  comparison.expected = right->force;
+  comparison.bound = right->bound;
+  if (is_on_finite_jump(claim, quantities, s)) comparison.outcome = Outcome::left_out;
   return comparison;
 }
 
@@ -136,47 +106,7 @@ std::vector<FiniteClaim> other_claims(const FiniteClaim& claim) {
   return list;
 }
 
-std::string next_step(const FiniteVerification& v) {
-  if (v.verdict == Verdict::agrees) return "Nothing: every state that the solver decides is right.";
-  if (v.count(Outcome::not_a_number) > 0) {
-    return "Why some answers are no numbers: run the program on one of the states by itself.";
-  }
-  if (v.factor) return fmt::format("All answers are {:.6g} times the right ones.", *v.factor);
-  if (v.other) return "The answers are those of " + v.other->words() + ".";
-  if (v.verdict == Verdict::agrees_to_digits) {
-    return fmt::format("Right to {:.1g} of |F|: if it is meant to be numerical, say --tolerance {:.0e}.",
-                       v.worst_error(), std::pow(10.0, std::ceil(std::log10(v.worst_error()))));
-  }
-  if (v.verdict == Verdict::undecided) return "The solver decides none of these states.";
-  return "The worst state, step by step.";
-}
-
-std::size_t worst_state(const FiniteVerification& v) {
-  const auto worst = std::ranges::max_element(v.comparisons, {}, &FiniteComparison::error);
-  return static_cast<std::size_t>(worst - v.comparisons.begin());
-}
-
-std::string verdict_words(const FiniteVerification& v) {
-  switch (v.verdict) {
-    case Verdict::agrees:
-      return "agrees";
-    case Verdict::agrees_to_digits:
-      return fmt::format("agrees to {:.1g} of |F|", v.worst_error());
-    case Verdict::disagrees:
-      return "disagrees";
-    case Verdict::undecided:
-      break;
-  }
-  return "could not be judged";
-}
-
 }  // namespace
-
-std::string FiniteClaim::words() const {
-  std::string text(oracle::name_of(film));
-  if (film != FiniteFilm::finite_reynolds) return text;
-  return text + (onset == FilmOnset::free ? ", free onset" : ", onset at the maximum film");
-}
 
 std::vector<State> finite_states(Quantities quantities) {
   const bool polar = quantities == Quantities::polar;
@@ -185,13 +115,13 @@ std::vector<State> finite_states(Quantities quantities) {
                                 " is not judged for films of finite length; allowed are cartesian and polar");
   }
   std::vector<State> states;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  for (std::size_t i = 0; i < finite_shapes.size(); ++i) {
     for (const double epsilon : ratios) {
       for (const Motion& motion : motions) {
         State s;
         const double k = static_cast<double>(states.size());
         s.radius = 0.01 * (1 + static_cast<double>(i));
-        s.length = 2 * s.radius * shapes[i];
+        s.length = 2 * s.radius * finite_shapes[i];
         s.clearance = s.radius / 512;
         s.viscosity = 0.02 + 0.01 * static_cast<double>(states.size() % 5);
         const double spin = 100 + 10 * static_cast<double>(states.size() % 7);
@@ -246,74 +176,19 @@ FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quant
     return v;
   }
   v.verdict = Verdict::disagrees;
+  v.suspicions = finite_suspicions(v);
   if (none > 0) return v;
   v.factor = common_factor(v);
-  if (v.factor) return v;
+  if (v.factor || !v.suspicions.empty()) return v;
   for (const FiniteClaim& other : other_claims(claim)) {
     if (!all_right(comparisons_of(other, v, threads))) continue;
     v.other = other;
     return v;
   }
+  v.law = law_of_answers(v);
   constexpr double one_digit = 0.1;
-  if (v.worst_error() <= one_digit) v.verdict = Verdict::agrees_to_digits;
+  if (!v.law && v.worst_error() <= one_digit) v.verdict = Verdict::agrees_to_digits;
   return v;
-}
-
-std::string text_report(const FiniteVerification& v) {
-  const std::size_t failing = v.count(Outcome::wrong) + v.count(Outcome::not_a_number);
-  std::string text = fmt::format("{}: {}, {} states, {} failing, {} undecided; right is an error of {:.0e} of |F|\n\n",
-                                 verdict_words(v), v.claim.words(), v.states.size() - v.count(Outcome::left_out),
-                                 failing, v.count(Outcome::undecided), v.tolerance);
-  text += "L/D     states  failing  undecided  error, median  error, worst\n";
-  for (const double shape : shapes) {
-    std::vector<double> errors;
-    std::size_t states = 0, wrong = 0, undecided = 0;
-    for (std::size_t i = 0; i < v.states.size(); ++i) {
-      if (std::abs(v.states[i].length / (2 * v.states[i].radius) - shape) > 1e-9) continue;
-      const FiniteComparison& c = v.comparisons[i];
-      if (c.outcome == Outcome::left_out) continue;
-      ++states;
-      undecided += c.outcome == Outcome::undecided ? 1 : 0;
-      wrong += c.outcome == Outcome::wrong || c.outcome == Outcome::not_a_number ? 1 : 0;
-      errors.push_back(c.error);
-    }
-    if (errors.empty()) continue;
-    std::ranges::sort(errors);
-    text += fmt::format("{:<8g}{:6d}{:9d}{:11d}{:15.1e}{:14.1e}\n", shape, states, wrong, undecided,
-                        errors[errors.size() / 2], errors.back());
-  }
-  if (const std::size_t left_out = v.count(Outcome::left_out)) {
-    text += fmt::format("{} states are left out: rounding decides on which side of the half film's jump they lie.\n",
-                        left_out);
-  }
-  if (v.verdict != Verdict::agrees) {
-    const std::size_t i = worst_state(v);
-    const FiniteComparison& c = v.comparisons[i];
-    text += "\nWorst state:\n" + state_header(v.quantities) + "\n" + state_row(v.quantities, v.states[i], i + 1) + "\n";
-    for (std::size_t k = 0; k < 2; ++k) {
-      text += fmt::format("  {:<11} expected {:<22.9g} received {:<22.9g} solver's bound {:.0e} of |F|\n",
-                          answer_columns(v.quantities)[k], c.expected[static_cast<Eigen::Index>(k)],
-                          v.answers.values[i][k], c.bound);
-    }
-  }
-  return text + "\nNext: " + next_step(v) + "\n";
-}
-
-nlohmann::ordered_json json_report(const FiniteVerification& v) {
-  constexpr std::array names = {"agrees", "agrees_to_digits", "disagrees", "undecided"};
-  const double worst = v.worst_error();
-  return {{"verdict", names[static_cast<std::size_t>(v.verdict)]},
-          {"law", oracle::name_of(v.claim.film)},
-          {"onset", v.claim.onset == FilmOnset::free ? "free" : "maximum_film"},
-          {"digits", worst > 0 ? nlohmann::ordered_json(-std::log10(worst)) : nlohmann::ordered_json(nullptr)},
-          {"tolerance", v.tolerance},
-          {"states", v.states.size()},
-          {"failing", v.count(Outcome::wrong) + v.count(Outcome::not_a_number)},
-          {"undecided", v.count(Outcome::undecided)},
-          {"left_out", v.count(Outcome::left_out)},
-          {"factor", v.factor ? nlohmann::ordered_json(*v.factor) : nlohmann::ordered_json(nullptr)},
-          {"other", v.other ? nlohmann::ordered_json(v.other->words()) : nlohmann::ordered_json(nullptr)},
-          {"next", next_step(v)}};
 }
 
 }  // namespace lubjoint::verify

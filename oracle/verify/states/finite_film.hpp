@@ -1,27 +1,24 @@
 /// Judging programs for the film of the bearing's real length: against the solver, to the error that it states.
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "oracle/reynolds/finite_force.hpp"
+#include "oracle/verify/gallery/gallery_finite.hpp"
 #include "oracle/verify/states/answers.hpp"
 #include "oracle/verify/states/quantity.hpp"
 #include "oracle/verify/verification.hpp"
 
 namespace lubjoint::verify {
 
-/// What a program claims to compute.
-struct FiniteClaim {
-  oracle::FiniteFilm film;
-  oracle::FilmOnset onset = oracle::FilmOnset::free;  ///< of finite_reynolds
-  std::string words() const;                          ///< "finite_reynolds, free onset"
-};
-
 /// An error over |F| that is right unless another one is asked for: programs of this kind are numerical.
 inline constexpr double finite_tolerance = 1e-3;
+
+/// L/D of the states' bearings.
+inline constexpr std::array finite_shapes = {0.25, 0.5, 1.0, 2.0};
 
 /// The states that a program of finite length is asked about: bearings of L/D ¼, ½, 1 and 2, ε from 0.1 to 0.9 in all
 /// directions, each with steady rotation of either sign, closing and opening squeeze alone, and both with rotation.
@@ -37,6 +34,15 @@ struct FiniteComparison {
   Outcome outcome = Outcome::undecided;
 };
 
+using FiniteMistakes = std::vector<const FiniteMistake*>;
+
+/// A mistake, or two, that a program may have made.
+struct FiniteSuspicion {
+  FiniteMistakes mistakes;
+  double share = 0;         ///< of the failing states, reproduced
+  double contradicted = 0;  ///< right states at which it would have shown, over the failing ones
+};
+
 struct FiniteVerification {
   FiniteClaim claim;
   Quantities quantities = Quantities::cartesian;
@@ -45,8 +51,10 @@ struct FiniteVerification {
   Answers answers;
   std::vector<FiniteComparison> comparisons;
   Verdict verdict = Verdict::undecided;
-  std::optional<double> factor;      ///< all answers are so many times the right ones
-  std::optional<FiniteClaim> other;  ///< all answers are right for another film
+  std::optional<double> factor;             ///< all answers are so many times the right ones
+  std::vector<FiniteSuspicion> suspicions;  ///< the likeliest first; what predicts the same answers stands beside it
+  std::optional<FiniteClaim> other;         ///< all answers are right for another film
+  std::optional<std::string> law;           ///< all answers are right for a law
 
   std::size_t count(Outcome outcome) const;
   double worst_error() const;  ///< of the numbers that are decided
@@ -54,8 +62,8 @@ struct FiniteVerification {
 };
 
 /// Judges answers. A state is undecided where the solver's own bound is above the tolerance, and left out where it lies
-/// on the jump of finite_half, at a = 0. If answers are wrong, it is tried whether one factor makes all of them right,
-/// and whether another film does.
+/// on the jump of finite_half, at a = 0. If answers are wrong, mistakes of the gallery are tried, alone and in pairs,
+/// whether one factor makes all answers right, whether another film does, and whether a law does.
 /// @param tolerance  error over |F| that is right; 0: finite_tolerance
 /// @param threads  no result depends on them
 FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quantities, std::vector<State> states,

@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "oracle/verify/states/finite_film.hpp"
+
+namespace lubjoint::verify {
+
+namespace {
+
+using oracle::FilmOnset;
+
+std::string names_of(const FiniteMistakes& mistakes) {
+  std::string text;
+  for (const FiniteMistake* each : mistakes) text += (text.empty() ? "" : " + ") + std::string(each->name);
+  return text;
+}
+
+/// What was done, one sentence for each mistake.
+std::string described(const FiniteSuspicion& suspicion) {
+  std::string text;
+  for (const FiniteMistake* each : suspicion.mistakes) {
+    text += (text.empty() ? "" : " ") + std::string(each->description) + ".";
+  }
+  return text;
+}
+
+std::string suspicions_text(const std::vector<FiniteSuspicion>& suspicions) {
+  std::string text =
+      "\nLikely mistakes, with the share of the failing states that each explains; no right answer speaks against "
+      "them:\n";
+  for (const FiniteSuspicion& each : suspicions) {
+    text += fmt::format("  {:5.1f} %  {}\n           {}\n", 100 * each.share, names_of(each.mistakes), described(each));
+  }
+  return text;
+}
+
+nlohmann::ordered_json suspicions_json(const std::vector<FiniteSuspicion>& suspicions) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const FiniteSuspicion& each : suspicions) {
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const FiniteMistake* mistake : each.mistakes) names.push_back(mistake->name);
+    list.push_back({{"mistakes", names}, {"share", each.share}, {"contradicted", each.contradicted}});
+  }
+  return list;
+}
+
+std::string next_step(const FiniteVerification& v) {
+  if (v.verdict == Verdict::agrees) return "Nothing: every state that the solver decides is right.";
+  const std::string named = v.suspicions.empty() ? std::string() : described(v.suspicions.front());
+  if (v.factor) {
+    return fmt::format("All answers are {:.6g} times the right ones.{}", *v.factor, named.empty() ? "" : " " + named);
+  }
+  if (!named.empty()) return named;
+  if (v.other) return "The answers are those of " + v.other->words() + ".";
+  if (v.law) return "The answers are those of the law " + *v.law + ", not of the film of the bearing's length.";
+  if (v.verdict == Verdict::agrees_to_digits) {
+    return fmt::format("Right to {:.1g} of |F|: if it is meant to be numerical, say --tolerance {:.0e}.",
+                       v.worst_error(), std::pow(10.0, std::ceil(std::log10(v.worst_error()))));
+  }
+  if (v.count(Outcome::not_a_number) > 0) {
+    return "Why some answers are no numbers: run the program on one of the states by itself.";
+  }
+  if (v.verdict == Verdict::undecided) return "The solver decides none of these states.";
+  return "The worst state, step by step.";
+}
+
+std::size_t worst_state(const FiniteVerification& v) {
+  const auto worst = std::ranges::max_element(v.comparisons, {}, &FiniteComparison::error);
+  return static_cast<std::size_t>(worst - v.comparisons.begin());
+}
+
+std::string verdict_words(const FiniteVerification& v) {
+  switch (v.verdict) {
+    case Verdict::agrees:
+      return "agrees";
+    case Verdict::agrees_to_digits:
+      return fmt::format("agrees to {:.1g} of |F|", v.worst_error());
+    case Verdict::disagrees:
+      return "disagrees";
+    case Verdict::undecided:
+      break;
+  }
+  return "could not be judged";
+}
+
+}  // namespace
+
+std::string text_report(const FiniteVerification& v) {
+  const std::size_t failing = v.count(Outcome::wrong) + v.count(Outcome::not_a_number);
+  std::string text = fmt::format("{}: {}, {} states, {} failing, {} undecided; right is an error of {:.0e} of |F|\n\n",
+                                 verdict_words(v), v.claim.words(), v.states.size() - v.count(Outcome::left_out),
+                                 failing, v.count(Outcome::undecided), v.tolerance);
+  text += "L/D     states  failing  undecided  error, median  error, worst\n";
+  for (const double shape : finite_shapes) {
+    std::vector<double> errors;
+    std::size_t states = 0, wrong = 0, undecided = 0;
+    for (std::size_t i = 0; i < v.states.size(); ++i) {
+      if (std::abs(v.states[i].length / (2 * v.states[i].radius) - shape) > 1e-9) continue;
+      const FiniteComparison& c = v.comparisons[i];
+      if (c.outcome == Outcome::left_out) continue;
+      ++states;
+      undecided += c.outcome == Outcome::undecided ? 1 : 0;
+      wrong += c.outcome == Outcome::wrong || c.outcome == Outcome::not_a_number ? 1 : 0;
+      errors.push_back(c.error);
+    }
+    if (errors.empty()) continue;
+    std::ranges::sort(errors);
+    text += fmt::format("{:<8g}{:6d}{:9d}{:11d}{:15.1e}{:14.1e}\n", shape, states, wrong, undecided,
+                        errors[errors.size() / 2], errors.back());
+  }
+  if (const std::size_t left_out = v.count(Outcome::left_out)) {
+    text += fmt::format("{} states are left out: rounding decides on which side of the half film's jump they lie.\n",
+                        left_out);
+  }
+  if (v.verdict != Verdict::agrees) {
+    const std::size_t i = worst_state(v);
+    const FiniteComparison& c = v.comparisons[i];
+    text += "\nWorst state:\n" + state_header(v.quantities) + "\n" + state_row(v.quantities, v.states[i], i + 1) + "\n";
+    for (std::size_t k = 0; k < 2; ++k) {
+      text += fmt::format("  {:<11} expected {:<22.9g} received {:<22.9g} solver's bound {:.0e} of |F|\n",
+                          answer_columns(v.quantities)[k], c.expected[static_cast<Eigen::Index>(k)],
+                          v.answers.values[i][k], c.bound);
+    }
+  }
+  if (!v.suspicions.empty()) text += suspicions_text(v.suspicions);
+  return text + "\nNext: " + next_step(v) + "\n";
+}
+
+nlohmann::ordered_json json_report(const FiniteVerification& v) {
+  constexpr std::array names = {"agrees", "agrees_to_digits", "disagrees", "undecided"};
+  const double worst = v.worst_error();
+  return {{"verdict", names[static_cast<std::size_t>(v.verdict)]},
+          {"law", oracle::name_of(v.claim.film)},
+          {"onset", v.claim.onset == FilmOnset::free ? "free" : "maximum_film"},
+          {"digits", worst > 0 ? nlohmann::ordered_json(-std::log10(worst)) : nlohmann::ordered_json(nullptr)},
+          {"tolerance", v.tolerance},
+          {"states", v.states.size()},
+          {"failing", v.count(Outcome::wrong) + v.count(Outcome::not_a_number)},
+          {"undecided", v.count(Outcome::undecided)},
+          {"left_out", v.count(Outcome::left_out)},
+          {"factor", v.factor ? nlohmann::ordered_json(*v.factor) : nlohmann::ordered_json(nullptr)},
+          {"other", v.other ? nlohmann::ordered_json(v.other->words()) : nlohmann::ordered_json(nullptr)},
+          {"law_of_answers", v.law ? nlohmann::ordered_json(*v.law) : nlohmann::ordered_json(nullptr)},
+          {"suspects", suspicions_json(v.suspicions)},
+          {"next", next_step(v)}};
+}
+
+}  // namespace lubjoint::verify

@@ -1,0 +1,19 @@
+/// What wrong answers of a program of finite length look like.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/verify/states/finite_film.hpp"
+
+namespace lubjoint::verify {
+
+/// Mistakes of the gallery, alone or, where none is enough, two together, that explain the failing states and
+/// contradict no right one; those that predict the same answers are all in it, in the gallery's order.
+std::vector<FiniteSuspicion> finite_suspicions(const FiniteVerification& verification);
+
+/// The law of a short or a long bearing whose forces all answers are.
+std::optional<std::string> law_of_answers(const FiniteVerification& verification);
+
+}  // namespace lubjoint::verify

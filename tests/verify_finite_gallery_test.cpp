@@ -1,0 +1,159 @@
+// Mistakes of programs of finite length: each is named first, by itself and with another, and a right program is not
+// suspected.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "oracle/verify/states/finite_film.hpp"
+#include "support/run_program.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::test;
+using namespace lubjoint::verify;
+using Catch::Matchers::Contains;
+using oracle::FiniteFilm;
+
+namespace {
+
+const FiniteMistake& mistake(std::string_view name) {
+  for (const FiniteMistake& each : finite_gallery()) {
+    if (each.name == name) return each;
+  }
+  throw std::invalid_argument("there is no mistake " + std::string(name));
+}
+
+/// Every so many of the states, which keep all four shapes, five ratios and six motions between them.
+std::vector<State> states_for(Quantities quantities, std::size_t step) {
+  const std::vector<State> all = finite_states(quantities);
+  std::vector<State> some;
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
+/// Answers of a program with these mistakes, solved more closely than the search does.
+Answers answers_with(const FiniteClaim& claim, Quantities quantities, const std::vector<State>& states,
+                     const FiniteMistakes& mistakes) {
+  Answers answers;
+  for (const State& state : states) {
+    const double tolerance = claim.film == FiniteFilm::finite_reynolds ? 3e-4 : 1e-8;
+    const auto wrong = finite_answer(claim, quantities, state, mistakes, {tolerance, claim.onset});
+    Answer answer{};
+    answer[0] = wrong ? wrong->force.x() : std::nan("");
+    answer[1] = wrong ? wrong->force.y() : std::nan("");
+    answers.values.push_back(answer);
+  }
+  return answers;
+}
+
+std::set<std::string_view> first_names(const FiniteVerification& result) {
+  std::set<std::string_view> names;
+  for (const FiniteSuspicion& each : result.suspicions) {
+    for (const FiniteMistake* one : each.mistakes) names.insert(one->name);
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "verify, finite films: every mistake of the gallery is named, and only what can't be told from it beside it") {
+  // By the same force: half of everything; and two places of a factor two in the axial term.
+  const std::set<std::string_view> halves{"half_bearing_not_doubled", "six_for_twelve"};
+  const std::set<std::string_view> longer{"length_over_radius", "one_end_closed"};
+  const std::pair<Quantities, FiniteFilm> cases[] = {{Quantities::cartesian, FiniteFilm::finite_full},
+                                                     {Quantities::cartesian, FiniteFilm::finite_half},
+                                                     {Quantities::cartesian, FiniteFilm::finite_dynamic},
+                                                     {Quantities::polar, FiniteFilm::finite_half}};
+  for (const auto& [quantities, film] : cases) {
+    const FiniteClaim claim{film};
+    const std::vector<State> states = states_for(quantities, 11);
+    for (const FiniteMistake& each : finite_gallery()) {
+      if (!each.applies(claim, quantities)) continue;
+      INFO(name_of(quantities) << ", " << claim.words() << ", " << each.name);
+      const auto result =
+          verify_finite_film(claim, quantities, states, answers_with(claim, quantities, states, {&each}), 0, 2);
+      CHECK(result.verdict == Verdict::disagrees);
+      REQUIRE(!result.suspicions.empty());
+      CHECK(result.suspicions.front().share == 1);
+      const std::set<std::string_view> names = first_names(result);
+      CHECK(names.contains(each.name));
+      if (halves.contains(each.name)) {
+        CHECK(names == halves);
+      } else if (longer.contains(each.name)) {
+        CHECK(names == longer);
+      } else {
+        CHECK(names == std::set{each.name});
+      }
+    }
+  }
+}
+
+TEST_CASE("verify, finite films: mistakes of a film that ruptures by Swift and Stieber's condition are named") {
+  const FiniteClaim claim{FiniteFilm::finite_reynolds};
+  const std::vector<State> states = states_for(Quantities::cartesian, 13);
+  for (const std::string_view name : {"full_film_clipped", "squeeze_left_out", "squeeze_rate_halved",
+                                      "length_over_radius", "diameter_for_radius", "steady_only"}) {
+    INFO(name);
+    const auto result = verify_finite_film(claim, Quantities::cartesian, states,
+                                           answers_with(claim, Quantities::cartesian, states, {&mistake(name)}), 0, 2);
+    REQUIRE(!result.suspicions.empty());
+    CHECK(result.suspicions.front().mistakes == FiniteMistakes{&mistake(name)});
+  }
+}
+
+TEST_CASE("verify, finite films: two mistakes together are named, and a law in the film's place") {
+  const FiniteClaim claim{FiniteFilm::finite_half};
+  const std::vector<State> states = states_for(Quantities::cartesian, 7);
+  const FiniteMistakes two{&mistake("squeeze_left_out"), &mistake("length_to_diameter_not_squared")};
+  const auto pair = verify_finite_film(claim, Quantities::cartesian, states,
+                                       answers_with(claim, Quantities::cartesian, states, two), 0, 2);
+  REQUIRE(!pair.suspicions.empty());
+  CHECK(pair.suspicions.front().mistakes == two);
+  CHECK_THAT(text_report(pair), Contains("squeeze_left_out + length_to_diameter_not_squared"));
+  CHECK(json_report(pair).at("suspects").at(0).at("mistakes").at(1) == "length_to_diameter_not_squared");
+
+  Answers short_half;
+  for (const State& state : states) {
+    const Solution s = solve(Quantities::cartesian, law_of("short_half"), state);
+    Answer answer{};
+    for (std::size_t k = 0; k < 2; ++k) answer[k] = static_cast<double>(s.answer[k]);
+    short_half.values.push_back(answer);
+  }
+  const auto law = verify_finite_film(claim, Quantities::cartesian, states, short_half, 0, 2);
+  CHECK(law.verdict == Verdict::disagrees);
+  CHECK(law.law == "short_half");
+  CHECK_THAT(text_report(law), Contains("The answers are those of the law short_half, not of the film"));
+}
+
+TEST_CASE("verify, finite films: a solver on a grid, written without the gallery in mind, and what it does wrong") {
+  const auto judged = [](const std::string& law, const std::string& mode, const std::string& more = "") {
+    return shell("\"$LUBJOINT\" verify --law " + law + " --tolerance 1e-2 --json " + more +
+                 " -- python3 $EXAMPLES/../programs/finite.py " + mode);
+  };
+  const auto first = [](const ProgramResult& result) {
+    const auto json = nlohmann::json::parse(result.out);
+    return json.at("suspects").empty() ? "none" : json.at("suspects").at(0).at("mistakes").dump();
+  };
+  CHECK(judged("finite_half", "right").status == 0);
+  CHECK(judged("finite_full", "full").status == 0);
+  // Far from 1 % on a coarse grid, and to no mistake's name: right to some digits.
+  const ProgramResult coarse = judged("finite_half", "coarse");
+  CHECK(coarse.status == 1);
+  CHECK(nlohmann::json::parse(coarse.out).at("verdict") == "agrees_to_digits");
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"half_length", R"(["half_bearing_not_doubled"])"},
+      {"length_over_radius", R"(["length_over_radius"])"},
+      {"no_squeeze", R"(["squeeze_left_out"])"},
+      {"half_squeeze", R"(["squeeze_rate_halved"])"},
+      {"clipped", R"(["full_film_clipped"])"},
+      {"not_mirrored", R"(["film_not_mirrored"])"},
+      {"one_end", R"(["length_over_radius"])"},
+      {"diametral", R"(["diametral_clearance"])"},
+      {"steady", R"(["steady_only"])"}};
+  for (const auto& [mode, name] : expected) {
+    INFO(mode);
+    const ProgramResult result = judged("finite_half", mode);
+    CHECK(result.status == 1);
+    CHECK(first(result) == name);
+  }
+}
