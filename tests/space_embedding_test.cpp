@@ -18,6 +18,13 @@ namespace {
 
 const std::string data = std::string(LUBJOINT_SOURCE_DIR) + "/data/";
 
+/// Drivers in space follow no table and no oscillation.
+bool follows_a_shape(const SceneConstraint& constraint) {
+  const auto* turning = std::get_if<Driver<double>>(&constraint.constraint);
+  const auto* sliding = std::get_if<SlideDriver<double>>(&constraint.constraint);
+  return (turning && turning->shape) || (sliding && sliding->shape);
+}
+
 /// Every scene of the plane that ships and that space has the parts of.
 std::vector<std::string> planar_scenes() {
   std::vector<std::string> files;
@@ -26,7 +33,8 @@ std::vector<std::string> planar_scenes() {
       if (entry.path().extension() != ".toml") continue;
       const Scene scene = load_scene(entry.path());
       bool fits = true;
-      for (const SceneLoad& load : scene.loads) fits = fits && !load.unbalance;
+      for (const SceneLoad& load : scene.loads) fits = fits && !load.unbalance && !load.table;
+      for (const SceneConstraint& each : scene.constraints) fits = fits && !follows_a_shape(each);
       for (const SceneSpring& spring : scene.springs)
         fits = fits && std::holds_alternative<TranslationalSpring<double>>(spring.spring);
       for (const SceneBody& body : scene.bodies) fits = fits && body.mass > 0;

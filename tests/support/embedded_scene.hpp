@@ -50,7 +50,7 @@ class Embedding {
     }
     for (const SceneLoad& load : flat.loads) {
       SpatialSceneLoad in_space;
-      if (load.unbalance) throw std::logic_error("an unbalance is not for space");
+      if (load.unbalance || load.table) throw std::logic_error("unbalances and tables are not for space");
       in_space.body = load.body;
       in_space.force =
           load.turns_with_body ? Vector3<double>(load.force.x(), load.force.y(), 0) : plane_.vector(load.force);
