@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 
-#include "choose_integrator.hpp"
 #include "lubjoint/motion/multibody_run.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "pilot_run.hpp"
 
 namespace lubjoint {
 
@@ -28,23 +27,6 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& 
   return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
 }
 
-/// The joints' memories along a run that is over: the equations keep those of its end.
-class MemoryAlong {
- public:
-  MemoryAlong(MultibodyOde<double>& ode, const std::vector<MemoryChange<double>>& changes)
-      : ode_(ode), changes_(changes) {}
-  void go_to(double t) {
-    for (; next_ < changes_.size() && changes_[next_].t <= t; ++next_) {
-      ode_.memory()[changes_[next_].joint] = changes_[next_].memory;
-    }
-  }
-
- private:
-  MultibodyOde<double>& ode_;
-  const std::vector<MemoryChange<double>>& changes_;
-  std::size_t next_ = 0;
-};
-
 detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::PreparedScene& prepared) {
   Scene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
@@ -53,21 +35,7 @@ detail::StiffnessMeasure measure_stiffness(const Scene& scene, const detail::Pre
   MultibodyOde<double> ode(prepared.system, false);
   MultibodyRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances),
                              upkeep_of(scene), {{}, options_of(scene).at_singular});
-  const RunOutcome outcome = pilot.run(prepared.start);
-  detail::StiffnessMeasure measure{outcome.status == RunStatus::finished, static_cast<double>(outcome.steps), 0,
-                                   scene.joints.empty()};
-  Eigen::MatrixXd jacobian;
-  MemoryAlong memory(ode, pilot.memories());
-  for (const MultibodySample& sample : pilot.recorder().samples()) {
-    memory.go_to(sample.t);
-    try {
-      ode.jacobian(sample.state, jacobian, sample.t);
-    } catch (const std::domain_error&) {  // a sample between two steps, in a film thinner than a pilot's tolerance
-      continue;
-    }
-    measure.stability_steps += pilot_scene.run.output_interval * detail::fastest_decay(jacobian, tolerances);
-  }
-  return measure;
+  return detail::measure_by_pilot(pilot, ode, prepared.start, pilot_scene.run, tolerances, scene.joints.empty());
 }
 
 }  // namespace

@@ -101,13 +101,12 @@ void require_shape_of_joint(TableReader& table, const SceneJoint& joint) {
   });
 }
 
-SceneJoint read_joint(TableReader table, const Scene& scene) {
+}  // namespace
+
+SceneJoint read_joint_film(TableReader& table) {
   SceneJoint joint;
   joint.name = table.name("name");
   joint.line = table.line();
-  if (is_taken(scene.joints, joint.name)) {
-    table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
-  }
   joint.film = table.text("film");
   const bool dry = joint.film == no_film;
   if (!dry && std::find(named_film_laws.begin(), named_film_laws.end(), joint.film) == named_film_laws.end()) {
@@ -138,28 +137,14 @@ SceneJoint read_joint(TableReader table, const Scene& scene) {
       table.refuse("density", with_unit(density, "kg/m^3"), "no density where film is \"none\": there is no oil");
     joint.density = density;
   }
-  joint.bearing = read_anchor(table.table("bearing"), scene);
-  joint.journal = read_anchor(table.table("journal"), scene);
-  if (joint.bearing.body == joint.journal.body) {
-    table.refuse("journal", "on the same body as the bearing", "another body");
-  }
-  const Vector2<double> e = (position_of(joint.journal, scene) - position_of(joint.bearing, scene)) / joint.clearance;
-  if (!joint.contact && !(one_minus_squared_norm(e.x(), e.y()) > 0)) {
-    std::ostringstream given;
-    given << "at eccentricity ratio " << e.norm() << " in its bearing";
-    table.refuse("journal", given.str(),
-                 "a journal that starts inside it, at an eccentricity ratio in [0, 1), or a joint with contact");
-  }
-  table.finish();
   return joint;
 }
 
-void read_integrator(TableReader table, Scene& scene) {
-  scene.integrator = table.text_or("name", scene.integrator);
-  if (std::find(integrator_names().begin(), integrator_names().end(), scene.integrator) == integrator_names().end()) {
-    table.refuse("name", in_quotes(scene.integrator), one_of(integrator_names(), scene.integrator));
+void read_integrator(TableReader table, std::string& name, RunSettings& run) {
+  name = table.text_or("name", name);
+  if (std::find(integrator_names().begin(), integrator_names().end(), name) == integrator_names().end()) {
+    table.refuse("name", in_quotes(name), one_of(integrator_names(), name));
   }
-  RunSettings& run = scene.run;
   run.relative_tolerance = table.number_or("relative_tolerance", run.relative_tolerance, Allowed::positive, "-");
   if (run.relative_tolerance >= 1 || run.relative_tolerance < 1e-14) {
     std::ostringstream given;
@@ -178,16 +163,48 @@ void read_integrator(TableReader table, Scene& scene) {
   table.finish();
 }
 
-void read_output(TableReader table, Scene& scene) {
-  scene.run.output_interval = table.number_or("interval", scene.run.output_interval, Allowed::positive, "s");
-  scene.energy_ledger = table.flag_or("energy_ledger", false);
+bool read_output(TableReader table, RunSettings& run) {
+  run.output_interval = table.number_or("interval", run.output_interval, Allowed::positive, "s");
+  const bool energy_ledger = table.flag_or("energy_ledger", false);
   // A file of more rows than this is a slip of the pen, not a request.
-  if (scene.run.duration / scene.run.output_interval > 1e7) {
+  if (run.duration / run.output_interval > 1e7) {
     std::ostringstream given;
-    given << scene.run.output_interval << " s";
+    given << run.output_interval << " s";
     table.refuse("interval", given.str(), "at least a ten-millionth of the duration");
   }
   table.finish();
+  return energy_ledger;
+}
+
+double read_duration(TableReader& root) {
+  const double duration = root.number("duration", Allowed::positive, "s");
+  if (duration < shortest_duration) {
+    root.refuse("duration", with_unit(duration, "s"), "at least " + with_unit(shortest_duration, "s"));
+  }
+  return duration;
+}
+
+namespace {
+
+SceneJoint read_joint(TableReader table, const Scene& scene) {
+  SceneJoint joint = read_joint_film(table);
+  if (is_taken(scene.joints, joint.name)) {
+    table.refuse("name", in_quotes(joint.name), "a name that no other joint has");
+  }
+  joint.bearing = read_anchor(table.table("bearing"), scene);
+  joint.journal = read_anchor(table.table("journal"), scene);
+  if (joint.bearing.body == joint.journal.body) {
+    table.refuse("journal", "on the same body as the bearing", "another body");
+  }
+  const Vector2<double> e = (position_of(joint.journal, scene) - position_of(joint.bearing, scene)) / joint.clearance;
+  if (!joint.contact && !(one_minus_squared_norm(e.x(), e.y()) > 0)) {
+    std::ostringstream given;
+    given << "at eccentricity ratio " << e.norm() << " in its bearing";
+    table.refuse("journal", given.str(),
+                 "a journal that starts inside it, at an eccentricity ratio in [0, 1), or a joint with contact");
+  }
+  table.finish();
+  return joint;
 }
 
 /// A body without mass is a journal alone on its film: all else would need its inertia.
@@ -212,12 +229,13 @@ void require_massless_journals(const TableReader& root, const Scene& scene) {
 Scene read_scene(TableReader root, const std::string& file) {
   Scene scene;
   scene.file = file;
+  if (root.number_or("dimension", 2, Allowed::positive, "-") != 2) {
+    root.refuse("dimension", with_unit(root.number("dimension", Allowed::positive, "-"), ""),
+                "2 here: scenes in space (dimension = 3) are run by simulate alone");
+  }
   scene.name = root.name("name");
   scene.gravity = root.vector_or("gravity", scene.gravity, "m/s^2");
-  scene.run.duration = root.number("duration", Allowed::positive, "s");
-  if (scene.run.duration < shortest_duration) {
-    root.refuse("duration", with_unit(scene.run.duration, "s"), "at least " + with_unit(shortest_duration, "s"));
-  }
+  scene.run.duration = read_duration(root);
   for (const TableReader& table : root.tables("bodies")) scene.bodies.push_back(read_body(table, scene.bodies));
   if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
   for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_load(table, scene));
@@ -233,8 +251,8 @@ Scene read_scene(TableReader root, const std::string& file) {
   }
   if (root.has("stabilisation")) scene.stabilisation = read_stabilisation(root.table("stabilisation"));
   scene.run.output_interval = scene.run.duration / 1000;
-  if (root.has("integrator")) read_integrator(root.table("integrator"), scene);
-  if (root.has("output")) read_output(root.table("output"), scene);
+  if (root.has("integrator")) read_integrator(root.table("integrator"), scene.integrator, scene.run);
+  if (root.has("output")) scene.energy_ledger = read_output(root.table("output"), scene.run);
   require_massless_journals(root, scene);
   root.finish();
   return scene;
@@ -294,7 +312,9 @@ std::optional<std::size_t> bare_letter(std::string_view text) {
   return {};
 }
 
-toml::table parse(const std::string& text, const std::string& name) {
+}  // namespace
+
+toml::table parse_scene_text(const std::string& text, const std::string& name) {
   if (const auto place = bare_letter(text)) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(*place);
     throw SceneError(name + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) +
@@ -308,16 +328,15 @@ toml::table parse(const std::string& text, const std::string& name) {
                      ": not valid TOML: " + printable(failure.description()) + "; allowed is TOML 1.0");
   }
 }
-}  // namespace
 
 Scene SceneFile::scene(const std::vector<SceneChange>& changes) const {
-  toml::table table = parse(text_, name_);
+  toml::table table = parse_scene_text(text_, name_);
   for (const SceneChange& change : changes) change_value(table, change, name_);
   return read_scene(TableReader(table, name_, ""), name_);
 }
 
 std::string SceneFile::numbered_key(const std::string& key) const {
-  toml::table table = parse(text_, name_);
+  toml::table table = parse_scene_text(text_, name_);
   return find_value(table, key, name_);
 }
 

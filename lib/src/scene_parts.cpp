@@ -109,18 +109,24 @@ std::string with_unit(double value, const char* unit) {
   return text.str();
 }
 
-std::size_t read_body_name(TableReader& table, std::string_view key, const Scene& scene, bool ground_is_allowed) {
+std::size_t read_body_name(TableReader& table, std::string_view key, const std::vector<std::string>& names,
+                           bool ground_is_allowed) {
   const std::string name = table.text(key);
   if (ground_is_allowed && name == "ground") return ground_body;
-  const auto body =
-      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto& b) { return b.name == name; });
-  if (body == scene.bodies.end()) {
+  const auto body = std::find(names.begin(), names.end(), name);
+  if (body == names.end()) {
     std::string allowed = "the name of a body:";
-    for (const SceneBody& known : scene.bodies) allowed += " " + in_quotes(known.name);
+    for (const std::string& known : names) allowed += " " + in_quotes(known);
     if (ground_is_allowed) allowed += " or \"ground\"";
     table.refuse(key, in_quotes(name), allowed);
   }
-  return static_cast<std::size_t>(body - scene.bodies.begin());
+  return static_cast<std::size_t>(body - names.begin());
+}
+
+std::size_t read_body_name(TableReader& table, std::string_view key, const Scene& scene, bool ground_is_allowed) {
+  std::vector<std::string> names;
+  for (const SceneBody& body : scene.bodies) names.push_back(body.name);
+  return read_body_name(table, key, names, ground_is_allowed);
 }
 
 SceneAnchor read_anchor(TableReader table, const Scene& scene) {

@@ -18,6 +18,9 @@ bool is_taken(const Items& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
 }
 
+/// One of the names of bodies. @throws SceneError that lists them, as do all below with what they refuse
+std::size_t read_body_name(TableReader& table, std::string_view key, const std::vector<std::string>& names,
+                           bool ground_is_allowed);
 /// A body by its name. @throws SceneError that lists the bodies, as do all below with what they refuse
 std::size_t read_body_name(TableReader& table, std::string_view key, const Scene& scene, bool ground_is_allowed);
 SceneAnchor read_anchor(TableReader table, const Scene& scene);
@@ -27,5 +30,17 @@ void read_contact(TableReader& joint_table, SceneJoint& joint);
 
 SceneConstraint read_constraint(TableReader table, const Scene& scene);
 SceneStabilisation read_stabilisation(TableReader table);
+
+// What scenes in the plane and in space have alike; in scene_file.cpp.
+
+/// Keys of a joint but for its two anchors, which are not read.
+SceneJoint read_joint_film(TableReader& table);
+double read_duration(TableReader& root);
+/// Name and settings of the integrator.
+void read_integrator(TableReader table, std::string& name, RunSettings& run);
+/// @returns is there to be an energy ledger?
+bool read_output(TableReader table, RunSettings& run);
+/// @throws SceneError if the text is no TOML
+toml::table parse_scene_text(const std::string& text, const std::string& name);
 
 }  // namespace lubjoint

@@ -1,6 +1,7 @@
 #include "table_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -148,14 +149,35 @@ bool TableReader::flag_or(std::string_view key, bool otherwise) {
   return *node->value<bool>();
 }
 
-Vector2<double> TableReader::vector(std::string_view key, std::string_view unit) {
-  const std::string allowed = "an array of two finite numbers [" + std::string(unit) + "]";
+std::vector<double> TableReader::numbers(std::string_view key, const std::vector<std::size_t>& sizes,
+                                         std::string_view unit) {
+  constexpr std::array<const char*, 7> words = {"no", "one", "two", "three", "four", "five", "six"};
+  std::string allowed = "an array of ";
+  for (std::size_t i = 0; i < sizes.size(); ++i) allowed += (i ? std::string(" or ") : "") + words.at(sizes[i]);
+  allowed += " finite numbers [" + std::string(unit) + "]";
   const toml::node& node = require(key, allowed);
   const toml::array* array = node.as_array();
-  if (!array || array->size() != 2)
+  if (!array || std::find(sizes.begin(), sizes.end(), array->size()) == sizes.end())
     fail(node.source(), key_path(key) + " is " + shown(node) + "; allowed is " + allowed);
-  return {as_number(key, *array->get(0), key_path(key) + "[0]", Allowed::any, unit),
-          as_number(key, *array->get(1), key_path(key) + "[1]", Allowed::any, unit)};
+  std::vector<double> values;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    values.push_back(as_number(key, *array->get(i), key_path(key) + "[" + std::to_string(i) + "]", Allowed::any, unit));
+  }
+  return values;
+}
+
+Vector2<double> TableReader::vector(std::string_view key, std::string_view unit) {
+  const std::vector<double> values = numbers(key, {2}, unit);
+  return {values[0], values[1]};
+}
+
+Vector3<double> TableReader::vector3(std::string_view key, std::string_view unit) {
+  const std::vector<double> values = numbers(key, {3}, unit);
+  return {values[0], values[1], values[2]};
+}
+
+Vector3<double> TableReader::vector3_or(std::string_view key, const Vector3<double>& otherwise, std::string_view unit) {
+  return find(key) ? vector3(key, unit) : otherwise;
 }
 
 Vector2<double> TableReader::vector_or(std::string_view key, const Vector2<double>& otherwise, std::string_view unit) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lubjoint/number/vector.hpp"
+#include "lubjoint/number/vector3.hpp"
 
 namespace lubjoint {
 
@@ -29,6 +29,10 @@ class TableReader {
   std::string text_or(std::string_view key, std::string otherwise);
   Vector2<double> vector(std::string_view key, std::string_view unit);
   Vector2<double> vector_or(std::string_view key, const Vector2<double>& otherwise, std::string_view unit);
+  Vector3<double> vector3(std::string_view key, std::string_view unit);
+  Vector3<double> vector3_or(std::string_view key, const Vector3<double>& otherwise, std::string_view unit);
+  /// An array of finite numbers, as many as one of the sizes says.
+  std::vector<double> numbers(std::string_view key, const std::vector<std::size_t>& sizes, std::string_view unit);
   bool flag_or(std::string_view key, bool otherwise);
   TableReader table(std::string_view key);
   bool has(std::string_view key) const { return table_.contains(key); }

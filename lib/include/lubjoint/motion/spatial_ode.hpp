@@ -1,0 +1,159 @@
+/// A system in space as the integrators see it.
+#pragma once
+
+#include <vector>
+
+#include "lubjoint/motion/multibody_ode.hpp"
+#include "lubjoint/motion/spatial_results.hpp"
+#include "lubjoint/multibody/spatial/system.hpp"
+
+namespace lubjoint {
+
+/// y = (r, p; ṙ, ω′) and, with a ledger, the work of each term;  ẏ = (ṙ, ½Lᵀω′; r̈, ω̇′, powers).
+template <class R>
+class SpatialOde final : public OdeSystem<R, run_time_size> {
+ public:
+  using State = std::vector<R>;                                            ///< y
+  using Jacobian = JacobianOf<R, run_time_size>;                           ///< ∂ẏ/∂y
+  static constexpr int jacobian_group = static_cast<int>(spatial_states);  ///< columns of the Jacobian a pass
+  /// A number with the derivatives of one pass.
+  using Seeded = Dual<R, jacobian_group>;
+
+  /// @param system  kept by reference;  @param with_ledger  integrate the work of each term, too
+  SpatialOde(const SpatialSystem<R>& system, bool with_ledger);
+
+  const SpatialSystem<R>& system() const { return system_; }          ///< whose equations these are
+  bool with_ledger() const { return with_ledger_; }                   ///< is the work integrated?
+  std::size_t mechanical_states() const { return system_.states(); }  ///< of (r, p; ṙ, ω′)
+  std::size_t dimension() const { return mechanical_states() + (with_ledger_ ? works() : 0); }  ///< number of states
+  /// Number of terms of a ledger.
+  std::size_t works() const { return ledger_terms + (system_.elements().has_dampers() ? 1 : 0); }
+  std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
+  void count_from(std::size_t n) { evaluations_ = n; }      ///< looks at a run are none of its cost
+
+  std::vector<JointMemory<R>>& memory() { return memory_; }              ///< of the joints; empty where none has any
+  const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
+
+  /// ẏ; counted.
+  void rate(const State& y, State& dydt, const R& t) override;
+  /// ∂ẏ/∂y, exact.
+  void jacobian(const State& y, Jacobian& j, const R& t) override;
+  /// ∂ẏ/∂t, exact.
+  void time_slope(const State& y, State& slope, const R& t) override;
+
+  /// Everything at a state: joints, multipliers, rows; with the memory given, or the current one.
+  const SpatialWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory);
+  const SpatialWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }  ///< likewise
+  SpatialWorkspace<R>& workspace() { return real_; }                                       ///< of the last evaluation
+
+  /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
+  MechanicalEnergy<R> energy(const State& y) const {
+    MechanicalEnergy<R> total{R(0), R(0)};
+    const std::size_t n = system_.bodies().size();
+    for (std::size_t b = 0; b < n; ++b) {
+      const SpatialBody<R>& body = system_.bodies()[b];
+      const SpatialMotion<R> motion = spatial_motion_in(y.data(), n, b);
+      total.kinetic += (body.mass * dot(motion.velocity, motion.velocity) +
+                        dot(motion.body_spin, product(body.inertia, motion.body_spin))) /
+                       2;
+      total.potential -= body.mass * dot(system_.gravity(), motion.position);
+    }
+    if (!system_.elements().springs.empty()) {
+      total.potential += system_.elements().template energy<R>(
+          [&](std::size_t body) { return SpatialFrame<R>(spatial_motion_in(y.data(), n, body)); });
+    }
+    return total;
+  }
+
+ private:
+  template <class T, class Time>
+  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SpatialWorkspace<T>& w) const {
+    system_.evaluate(t, y.data(), memory_, w);
+    const std::size_t n = system_.bodies().size();
+    for (std::size_t b = 0; b < n; ++b) {
+      const SpatialFrame<T>& frame = w.frames[b];
+      const EulerParameters<T> p_rate = euler_rate(frame.parameters, frame.body_spin);
+      for (std::size_t k = 0; k < 3; ++k) dydt[7 * b + k] = frame.velocity(static_cast<Eigen::Index>(k));
+      for (std::size_t k = 0; k < 4; ++k) dydt[7 * b + 3 + k] = p_rate(static_cast<Eigen::Index>(k));
+    }
+    std::copy(w.accelerations.begin(), w.accelerations.end(),
+              dydt.begin() + static_cast<std::ptrdiff_t>(system_.places()));
+    if (with_ledger_) fill_powers(t, w, &dydt[mechanical_states()]);
+  }
+
+  template <class T, class Time>
+  void fill_powers(const Time& t, const SpatialWorkspace<T>& w, T* power) const {
+    for (std::size_t i = 0; i < works(); ++i) power[i] = T(0);
+    const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const SpatialBody<R>& body = system_.bodies()[b];
+      for (Eigen::Index k = 0; k < 3; ++k)
+        add(LedgerTerm::loads, T(body.load(k) * w.frames[b].velocity(k) + body.moment(k) * w.frames[b].spin(k)));
+    }
+    const auto frame = [&](std::size_t body) -> const SpatialFrame<T>& { return system_.frame(body, w); };
+    const SpatialForceElements<R>& elements = system_.elements();
+    if (!elements.loads.empty()) add(LedgerTerm::loads, elements.template load_power<T>(t, frame));
+    if (elements.has_dampers()) add(LedgerTerm::dampers, elements.template damper_power<T>(frame));
+    for (const SpatialJointForce<T>& joint : w.joints) {
+      add(LedgerTerm::film, joint.film_power());
+      add(LedgerTerm::contact, joint.contact_power());
+    }
+    for (std::size_t row = 0; row < w.rows.size(); ++row) {
+      const bool drives = drives_[row];
+      add(drives ? LedgerTerm::drivers : LedgerTerm::constraints,
+          T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
+    }
+  }
+
+  const SpatialSystem<R>& system_;
+  bool with_ledger_;
+  SpatialWorkspace<R> real_;
+  SpatialWorkspace<Seeded> dual_;
+  RunTimeJacobian<jacobian_group, R> derivatives_;
+  std::vector<JointMemory<R>> memory_;
+  std::vector<bool> drives_;  ///< of each row
+  std::size_t evaluations_ = 0;
+};
+
+// Out of the class, where no function is inline: a declaration of an instance then spares those who include it the
+// compilation of every law on numbers with derivatives.
+
+template <class R>
+SpatialOde<R>::SpatialOde(const SpatialSystem<R>& system, bool with_ledger)
+    : system_(system),
+      with_ledger_(with_ledger),
+      real_(system.template workspace<R>()),
+      dual_(system.template workspace<Seeded>()) {
+  for (std::size_t row = 0; row < system.constraint_rows(); ++row)
+    drives_.push_back(system.constraints()[system.constraint_of(row)].is_driver());
+  const auto& joints = system.joints();
+  const bool remembers = std::any_of(joints.begin(), joints.end(), [](const SpatialJointElement<R>& joint) {
+    return joint.plane.has_contact() || joint.plane.has_half_film();
+  });
+  if (remembers) memory_.resize(joints.size());
+}
+
+template <class R>
+void SpatialOde<R>::rate(const State& y, State& dydt, const R& t) {
+  ++evaluations_;
+  fill(t, y, dydt, real_);
+}
+
+template <class R>
+void SpatialOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
+  derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
+}
+
+template <class R>
+void SpatialOde<R>::time_slope(const State& y, State& slope, const R& t) {
+  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Seeded& s) { fill(s, x, dxdt, dual_); }, y, t,
+                               slope);
+}
+
+template <class R>
+const SpatialWorkspace<R>& SpatialOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+  system_.evaluate(t, y.data(), memory, real_);
+  return real_;
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,247 @@
+/// The pieces of the equations of a system in space: phases of contact, sides of half films, and the edges of films.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lubjoint/motion/contact_events.hpp"
+#include "lubjoint/motion/multibody_pieces.hpp"
+#include "lubjoint/motion/spatial_ode.hpp"
+#include "lubjoint/multibody/spatial/assembly.hpp"
+#include "lubjoint/run/event_run.hpp"
+
+namespace lubjoint {
+
+/// A system in space as a run sees it. Each joint that may touch, or whose half film jumps, has a piece of its own. A
+/// film whose edge meets its wall, |e| + ψL/2 = c, is outside the model where the joint has no contact: the run ends
+/// there, by handing over to nothing. So does one that would slide on the jump of a half film: it gets stuck.
+template <class R>
+class SpatialPieces {
+ public:
+  using Real = R;                                          ///< scalar
+  using State = std::vector<R>;                            ///< (r, p; ṙ, ω′; work)
+  static constexpr std::size_t dimension = run_time_size;  ///< known when the program runs
+  static constexpr bool has_events = true;                 ///< or a projection
+  static constexpr std::size_t looks_each = 2;             ///< a journal may touch and leave within a short time
+
+  SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep)
+      : ode_(ode), upkeep_(upkeep), unparted_(ode.system().joints().size(), false) {}
+
+  /// The pieces that a start is in.
+  void start(const R& t, const State& y) {
+    if (ode_.memory().empty()) return;
+    for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
+      const SpatialJointElement<R>& joint = ode_.system().joints()[j];
+      ode_.memory()[j] = detail::starting_memory(joint.plane, motion_of(y, j));
+      if (has_side(j)) find_side(y, j);
+      changes_.push_back({t, j, ode_.memory()[j]});
+    }
+    starts_ = changes_.size();
+  }
+
+  const std::vector<ContactEvent>& events() const { return events_; }            ///< of contact, in order
+  const std::vector<MemoryChange<R>>& changes() const { return changes_; }       ///< of any memory, the start first
+  std::size_t changes_after_start() const { return changes_.size() - starts_; }  ///< events of any kind
+  double norm_drift() const { return norm_drift_; }  ///< largest ||p| − 1| at the end of a step, before it was mended
+
+  /// What a margin is of.
+  enum class Kind { contact, side, edge };
+  /// Of a margin.
+  static Kind kind_of(std::size_t margin) {
+    return margin % margins_each < 2 ? Kind::contact : margin % margins_each == 2 ? Kind::side : Kind::edge;
+  }
+  /// The joint of a margin.
+  const SpatialJointElement<R>& joint_of(std::size_t margin) const {
+    return ode_.system().joints()[margin / margins_each];
+  }
+
+  // What a run asks for (EventSystem).
+
+  bool watches() const { return !ode_.system().joints().empty(); }  ///< has any joint?
+  OdeSystem<R, run_time_size>& equations() { return ode_; }         ///< of the present pieces
+  /// None that the plane's interpolant could take for q with q̇ = v: events are looked for on cubics, and then located
+  /// by the method.
+  std::size_t coordinates() const { return 0; }
+  /// Every number is finite; films are looked at where forces are asked for.
+  bool admissible(const R&, const State& y) const {
+    return std::all_of(y.begin(), y.end(), [](const R& v) { return std::isfinite(static_cast<double>(v)); });
+  }
+
+  /// Of each joint: the inner and the outer seam of its contact, a = 0 of its half film, and its film's edge.
+  void margins(const R&, const State& y, std::vector<Margin<R>>& list) {
+    list.clear();
+    ode_.system().place(y.data(), ode_.workspace());
+    const Margin<R> far{R(1), R(0)};
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      const JointElement<R>& joint = ode_.system().joints()[j].plane;
+      const SpatialJointKinematics<R> k = ode_.system().joint_kinematics(j, ode_.workspace());
+      if (joint.has_contact()) {
+        const detail::SeamMargins<R> m = detail::seam_margins(joint, ode_.memory()[j].phase, k.motion.eccentricity);
+        list.push_back({m.inner, seam_rounding()});
+        list.push_back({m.outer, seam_rounding()});
+      } else {
+        list.insert(list.end(), 2, far);
+      }
+      list.push_back(has_side(j) ? side_margin(k.motion, j) : far);
+      list.push_back(joint.has_contact() ? far : Margin<R>{edge_room(j, k), seam_rounding()});
+    }
+  }
+
+  /// Euler parameters of norm 1; constraints by projection, where that is their upkeep.
+  bool hold(const R& t, State& y, bool) {
+    for (std::size_t j = 0; j < unparted_.size(); ++j) {
+      if (unparted_[j]) note_parted(y, j);
+    }
+    bool changed = false;
+    for (std::size_t b = 0; b < ode_.system().bodies().size(); ++b) changed = normalise(&y[7 * b + 3]) || changed;
+    if (upkeep_ == ConstraintUpkeep::by_projection && ode_.system().constraint_rows() > 0) {
+      projected_ = y;
+      try {
+        project_onto_constraints(ode_.system(), t, projected_, ode_.workspace());
+        y.swap(projected_);
+        changed = true;
+      } catch (const SingularConstraints&) {  // the next step ends elsewhere
+      }
+    }
+    return changed;
+  }
+
+  /// The piece beyond a surface.
+  AfterEvent cross(std::size_t margin, const R& t, const State& y) {
+    const std::size_t j = margin / margins_each;
+    switch (margin % margins_each) {
+      case 0:
+        change_phase(t, y, j, false);
+        break;
+      case 1:
+        change_phase(t, y, j, true);
+        break;
+      case 2: {
+        FilmSide& side = ode_.memory()[j].side;
+        side = side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
+        unparted_[j] = true;
+        break;
+      }
+      default:
+        return AfterEvent::hand_over;
+    }
+    changes_.push_back({t, j, ode_.memory()[j]});
+    return AfterEvent::go_on;
+  }
+
+  /// 1 − (|e| + ψL/2)/c of a joint: what is left between the film's edge and the wall.
+  R edge_room(std::size_t j, const SpatialJointKinematics<R>& k) const {
+    const SpatialJointElement<R>& joint = ode_.system().joints()[j];
+    const R& c = joint.plane.bearing.clearance();
+    return R(1 - (length(k.motion.eccentricity) + joint.edge_shift(k.tilt())) / c);
+  }
+
+ private:
+  static constexpr std::size_t margins_each = 4;
+
+  static R epsilon() { return std::numeric_limits<R>::epsilon(); }
+  /// Seams are places in clearances; coordinates may be a thousand clearances long.
+  static R seam_rounding() { return R(1e-12) * (epsilon() / R(std::numeric_limits<double>::epsilon())); }
+  static R length(const Vector2<R>& v) {
+    using std::sqrt;
+    return R(sqrt(R(v.x() * v.x() + v.y() * v.y())));
+  }
+
+  JournalMotion<R> motion_of(const State& y, std::size_t j) {
+    ode_.system().place(y.data(), ode_.workspace());
+    return ode_.system().joint_kinematics(j, ode_.workspace()).motion;
+  }
+
+  /// Has the joint's film a side now?
+  bool has_side(std::size_t j) const {
+    return ode_.system().joints()[j].plane.has_half_film() && ode_.memory()[j].phase != ContactPhase::dry;
+  }
+
+  bool normalise(R* p) {
+    using std::abs;
+    using std::sqrt;
+    const R square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
+    const R size = sqrt(square);
+    norm_drift_ = std::max(norm_drift_, std::abs(static_cast<double>(size - 1)));
+    if (!(abs(R(square - 1)) > 4 * epsilon())) return false;
+    for (std::size_t k = 0; k < 4; ++k) p[k] /= size;
+    return true;
+  }
+
+  // A half film's side. a has the sign of −(e × u).
+
+  /// How far a journal is on its film's side, −1 to 1; what rounding makes of 0, and, where the side has only begun,
+  /// what errors of a run do.
+  Margin<R> side_margin(const JournalMotion<R>& motion, std::size_t j) const {
+    using std::abs;
+    const JointElement<R>& joint = ode_.system().joints()[j].plane;
+    const R half = motion.journal_spin / 2;
+    const Vector2<R>& e = motion.eccentricity;
+    const Vector2<R> u(R(motion.velocity.x() + half * e.y()), R(motion.velocity.y() - half * e.x()));
+    if (is_zero(e) || is_zero(u)) return {R(0), R(1)};
+    const R sine = lubjoint::cross(direction(e), direction(u));
+    const R pace = norm(u);
+    // e and u are differences of numbers of the size of the mechanism, a thousand clearances and more.
+    const R of_places = 16 * epsilon() * (1 + 1000 * joint.bearing.radius() / norm(e));
+    const R wrong_side = (1 + abs(half) * joint.bearing.clearance() / pace) / 1000;
+    return {ode_.memory()[j].side == FilmSide::mirrored ? sine : R(-sine),
+            unparted_[j] ? std::max<R>(of_places, wrong_side) : of_places};
+  }
+
+  void find_side(const State& y, std::size_t j) {
+    const JournalMotion<R> motion = motion_of(y, j);
+    FilmSide& side = ode_.memory()[j].side;
+    side = FilmSide::converging;
+    const Margin<R> margin = side_margin(motion, j);
+    unparted_[j] = !(margin.value > margin.rounding || margin.value < -margin.rounding);
+    if (margin.value < -margin.rounding) side = FilmSide::mirrored;
+  }
+
+  void note_parted(const State& y, std::size_t j) {
+    if (!has_side(j)) {
+      unparted_[j] = false;
+      return;
+    }
+    const JournalMotion<R> motion = motion_of(y, j);
+    unparted_[j] = false;
+    const Margin<R> margin = side_margin(motion, j);
+    unparted_[j] = !(margin.value > margin.rounding);
+  }
+
+  void change_phase(const R& t, const State& y, std::size_t j, bool outwards) {
+    const JointElement<R>& joint = ode_.system().joints()[j].plane;
+    JointMemory<R>& memory = ode_.memory()[j];
+    const SpatialJointForce<R> at_end = ode_.at(t, y).joints[j];
+    const Vector2<R> before = at_end.plane.total();
+    const R speed = detail::normal_speed(at_end.kinematics.motion);
+    ContactEvent event{static_cast<double>(t),
+                       j,
+                       memory.phase,
+                       detail::next_phase(joint, memory.phase, outwards),
+                       static_cast<double>(speed),
+                       0,
+                       0};
+    detail::enter_phase(joint, memory, event.to, speed);
+    if (joint.has_half_film()) {
+      if (event.to == ContactPhase::dry) memory.side = FilmSide::of_slip;
+      if (event.from == ContactPhase::dry) find_side(y, j);
+    }
+    const Vector2<R> after = ode_.at(t, y).joints[j].plane.total();
+    event.force_before = static_cast<double>(before.norm());
+    event.force_jump = static_cast<double>((after - before).norm());
+    events_.push_back(event);
+  }
+
+  SpatialOde<R>& ode_;
+  ConstraintUpkeep upkeep_;
+  State projected_;             ///< a copy: a projection that fails leaves nothing behind
+  std::vector<bool> unparted_;  ///< of each joint: is it on a side that has not left a = 0 yet?
+  std::vector<ContactEvent> events_;
+  std::vector<MemoryChange<R>> changes_;
+  std::size_t starts_ = 0;
+  double norm_drift_ = 0;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,263 @@
+/// What a run in space leaves behind: samples, extremes, drift, energy.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lubjoint/motion/multibody_recorder.hpp"
+#include "lubjoint/motion/spatial_interpolant.hpp"
+#include "lubjoint/motion/spatial_ode.hpp"
+
+namespace lubjoint {
+
+/// Samples at regular times, peaks inside the steps, drift and energy of a run in space.
+template <class R>
+class SpatialRecorder {
+ public:
+  /// @param pieces  into so many a step is divided in the search for its extremes
+  SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces)
+      : ode_(ode), settings_(settings), pieces_(pieces) {
+    const auto& constraints = ode.system().constraints();
+    for (std::size_t c = 0; c < constraints.size(); ++c) {
+      if (constraints[c].is_driver()) {
+        drivers_.push_back(c);
+      } else {
+        reactions_.push_back({c, false});
+        if (constraints[c].holds_moment()) reactions_.push_back({c, true});
+      }
+    }
+    first_driver_ = of_joint * ode.system().joints().size();
+    first_reaction_ = first_driver_ + 2 * drivers_.size();
+    trackers_.resize(first_reaction_ + reactions_.size());
+    values_.resize(trackers_.size());
+  }
+
+  /// The first sample.
+  void start(const R& t, const std::vector<R>& y) {
+    add_sample(t, y, ode_.memory());
+    next_ = 1;
+    const MechanicalEnergy<R> energy = ode_.energy(y);
+    start_energy_ = energy.kinetic + energy.potential;
+    note_drift(ode_.workspace(), y);
+  }
+
+  /// An accepted step: the samples in it, and its extremes.
+  /// @param by_method  by_method(step, t, y) puts the state inside a step into y by the integrator itself
+  template <class ByMethod>
+  void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
+    for (double t = output_time(next_); t <= static_cast<double>(step->t_new) && t < settings_.duration;
+         t = output_time(++next_)) {
+      if (R(t) == step->t_new) {
+        state_ = step->y_new;
+      } else if (step->sampled_by_steps) {
+        by_method(*step, R(t), state_);
+      } else {
+        inside(*step, R(t), state_);
+      }
+      add_sample(R(t), state_, step->memory);
+    }
+    for (std::size_t i = 0; i <= pieces_; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(pieces_);
+      const R t = i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
+      if (i == pieces_) {
+        state_ = step->y_new;
+      } else {
+        inside(*step, t, state_);
+      }
+      const SpatialWorkspace<R>& w = ode_.at(t, state_, step->memory);
+      for (std::size_t k = 0; k < trackers_.size(); ++k) values_[k] = quantity(k, w);
+      if (i == pieces_) note_drift(w, step->y_new);
+      for (std::size_t k = 0; k < trackers_.size(); ++k) {
+        trackers_[k].consider(values_[k], t, step, [&] { return by(by_method, *step, t, k); });
+      }
+    }
+  }
+
+  /// The last sample, and the peaks refined.
+  template <class ByMethod>
+  void finish(const R& t, const std::vector<R>& y, const ByMethod& by_method) {
+    if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
+    std::size_t k = 0;
+    const auto next = [&] { return peak(k++, by_method); };
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      SpatialJointExtremes extremes;
+      for (Peak* each :
+           {&extremes.eccentricity, &extremes.force, &extremes.tilt, &extremes.sliding, &extremes.edge_share}) {
+        *each = next();
+      }
+      joint_extremes_.push_back(extremes);
+    }
+    for (std::size_t d = 0; d < drivers_.size(); ++d) {
+      const Peak high = next();
+      Peak low = next();
+      low.value = -low.value;
+      driver_extremes_.push_back({high, low});
+    }
+    for (const Reaction& reaction : reactions_) {
+      const Peak largest = next();
+      if (reaction.of_moment) {
+        reaction_extremes_.back().moment = largest;
+      } else {
+        reaction_extremes_.push_back({reaction.constraint, largest, std::nullopt});
+      }
+    }
+  }
+
+  const std::vector<SpatialSample>& samples() const { return samples_; }  ///< in order
+  const SpatialDrift& drift() const { return drift_; }                    ///< largest so far, but for |p|'s
+  double energy_residual() const { return energy_residual_; }             ///< largest |E − E₀ − work| [J]
+  double energy_scale() const { return energy_scale_; }                   ///< largest kinetic energy or work [J]
+
+  /// Of the joints, in order; after finish.
+  const std::vector<SpatialJointExtremes>& joint_extremes() const { return joint_extremes_; }
+  /// Of the drivers, in order; after finish.
+  const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
+  /// Of the constraints that are no drivers, in order; after finish.
+  const std::vector<ReactionExtremes>& reaction_extremes() const { return reaction_extremes_; }
+
+ private:
+  static constexpr std::size_t of_joint = 5;  ///< quantities of a joint
+
+  /// A constraint whose force, or whose moment, is followed.
+  struct Reaction {
+    std::size_t constraint;
+    bool of_moment;
+  };
+
+  void inside(const MultibodyStep<R>& step, const R& t, std::vector<R>& y) const {
+    spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
+  }
+
+  /// i intervals; within rounding of the end it is the end.
+  double output_time(std::size_t i) const {
+    const double t = static_cast<double>(i) * settings_.output_interval;
+    return t >= settings_.duration * (1 - 4 * std::numeric_limits<double>::epsilon()) ? settings_.duration : t;
+  }
+
+  static double length(const Vector2<R>& v) { return static_cast<double>(v.norm()); }
+
+  /// What tracker k follows: of each joint |e|, |F|, ψ, |σ| and the edge's share; then the effort of each driver and
+  /// its opposite, then the reactions.
+  double quantity(std::size_t k, const SpatialWorkspace<R>& w) const {
+    using std::abs;
+    if (k >= first_reaction_) {
+      const Reaction& reaction = reactions_[k - first_reaction_];
+      const SpatialReaction<R> at = ode_.system().reaction_at_joint(reaction.constraint, w);
+      return static_cast<double>(reaction.of_moment ? at.moment.norm() : at.force.norm());
+    }
+    if (k >= first_driver_) {
+      const double value = static_cast<double>(ode_.system().driving_effort(drivers_[(k - first_driver_) / 2], w));
+      return (k - first_driver_) % 2 == 0 ? value : -value;
+    }
+    const SpatialJointElement<R>& joint = ode_.system().joints()[k / of_joint];
+    const SpatialJointForce<R>& force = w.joints[k / of_joint];
+    const double eccentricity = length(force.kinematics.motion.eccentricity);
+    switch (k % of_joint) {
+      case 0:
+        return eccentricity;
+      case 1:
+        return length(force.plane.total());
+      case 2:
+        return static_cast<double>(force.kinematics.tilt());
+      case 3:
+        return std::abs(static_cast<double>(force.kinematics.sliding));
+      default: {
+        const double gap = static_cast<double>(joint.plane.bearing.clearance()) - eccentricity;
+        return gap > 0 ? static_cast<double>(joint.edge_shift(force.kinematics.tilt())) / gap : 0;
+      }
+    }
+  }
+
+  template <class ByMethod>
+  double by(const ByMethod& by_method, const MultibodyStep<R>& step, const R& t, std::size_t k) {
+    const bool of_run = k < first_reaction_;  // reactions are none of its cost; what peaks together is stepped to once
+    if (t != exact_t_ || step.t_old != exact_from_) {
+      const std::size_t counted = ode_.evaluations();
+      by_method(step, t, exact_);
+      if (!of_run) ode_.count_from(counted);
+      exact_t_ = t;
+      exact_from_ = step.t_old;
+    }
+    return quantity(k, ode_.at(t, exact_, step.memory));
+  }
+
+  template <class ByMethod>
+  Peak peak(std::size_t k, const ByMethod& by_method) {
+    return trackers_[k].peak(
+        pieces_,
+        [&](const MultibodyStep<R>& step, const R& t) {
+          inside(step, t, state_);
+          return quantity(k, ode_.at(t, state_, step.memory));
+        },
+        [&](const MultibodyStep<R>& step, const R& t) { return by(by_method, step, t, k); });
+  }
+
+  void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
+    const SpatialWorkspace<R>& w = ode_.at(t, y, memory);
+    const auto narrow = [](const R& value) { return static_cast<double>(value); };
+    SpatialSample sample;
+    sample.t = narrow(t);
+    for (std::size_t i = 0; i < ode_.mechanical_states(); ++i) sample.state.push_back(narrow(y[i]));
+    for (std::size_t j = 0; j < w.joints.size(); ++j) {
+      const JointMemory<R> at_j = memory.empty() ? JointMemory<R>() : memory[j];
+      const SpatialJointForce<R>& force = w.joints[j];
+      // Losses and gaps are the plane's.
+      const JointSample in_plane = detail::joint_sample(ode_.system().joints()[j].plane, force.plane, at_j);
+      sample.joints.push_back({force.kinematics.in_space(force.kinematics.motion.eccentricity).template cast<double>(),
+                               force.force().template cast<double>(), in_plane.eccentricity_ratio,
+                               in_plane.film_thickness, narrow(force.kinematics.tilt()),
+                               narrow(force.kinematics.sliding), in_plane.losses});
+    }
+    for (const std::size_t c : drivers_) sample.driving_efforts.push_back(narrow(ode_.system().driving_effort(c, w)));
+    if (ode_.with_ledger()) {
+      const MechanicalEnergy<R> energy = ode_.energy(y);
+      sample.ledger = {narrow(energy.kinetic), narrow(energy.potential)};
+      for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) sample.ledger.push_back(narrow(y[i]));
+    }
+    samples_.push_back(std::move(sample));
+  }
+
+  void note_drift(const SpatialWorkspace<R>& w, const std::vector<R>& y) {
+    const std::vector<std::size_t>& without = ode_.system().left_out();
+    for (std::size_t row = 0; row < w.rows.size(); ++row) {
+      const double off = std::abs(static_cast<double>(w.rows[row].value));
+      drift_.position = std::max(drift_.position, off);
+      drift_.velocity = std::max(drift_.velocity, std::abs(static_cast<double>(ode_.system().constraint_rate(row, w))));
+      if (std::binary_search(without.begin(), without.end(), row))
+        drift_.left_out_position = std::max(drift_.left_out_position, off);
+    }
+    if (!ode_.with_ledger()) return;
+    const MechanicalEnergy<R> energy = ode_.energy(y);
+    R residual = energy.kinetic + energy.potential - start_energy_;
+    energy_scale_ = std::max(energy_scale_, static_cast<double>(energy.kinetic));
+    for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) {
+      residual -= y[i];
+      energy_scale_ = std::max(energy_scale_, std::abs(static_cast<double>(y[i])));
+    }
+    energy_residual_ = std::max(energy_residual_, std::abs(static_cast<double>(residual)));
+  }
+
+  SpatialOde<R>& ode_;
+  RunSettings settings_;
+  std::size_t pieces_;
+  std::vector<detail::PeakTracker<R>> trackers_;
+  std::vector<double> values_;
+  std::vector<std::size_t> drivers_;
+  std::vector<Reaction> reactions_;
+  std::size_t first_driver_ = 0, first_reaction_ = 0;  ///< their trackers
+  std::vector<SpatialSample> samples_;
+  std::vector<SpatialJointExtremes> joint_extremes_;
+  std::vector<DriverExtremes> driver_extremes_;
+  std::vector<ReactionExtremes> reaction_extremes_;
+  SpatialDrift drift_;
+  R start_energy_{};
+  double energy_residual_ = 0, energy_scale_ = 0;
+  std::size_t next_ = 0;
+  std::vector<R> state_, exact_;
+  R exact_t_{-1}, exact_from_{-1};
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,231 @@
+/// A system in space from its start to its end, through every contact.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lubjoint/motion/spatial_pieces.hpp"
+#include "lubjoint/motion/spatial_recorder.hpp"
+#include "lubjoint/motion/stop_words.hpp"
+#include "lubjoint/ode/integrator.hpp"
+#include "lubjoint/run/event_run.hpp"
+
+namespace lubjoint {
+
+/// Contact and the jumps of half films are followed event by event. Positions at which constraints are not independent
+/// stop a run where a step meets one; no watch looks for those that steps pass by.
+template <class R>
+class SpatialRun {
+ public:
+  using State = std::vector<R>;                 ///< (r, p; ṙ, ω′; work)
+  using Method = Integrator<R, run_time_size>;  ///< that makes the steps
+
+  /// @param method  with the tolerance of every state in its own unit
+  /// @param mechanism  size of the mechanism [m], of which a relative 1e-6 tells rows left out that are redundant no
+  /// more
+  SpatialRun(SpatialOde<R>& ode, const RunSettings& settings, std::unique_ptr<Method> method, ConstraintUpkeep upkeep,
+             double mechanism)
+      : ode_(ode),
+        settings_(settings),
+        method_(std::move(method)),
+        largest_left_out_(1e-6 * mechanism),
+        pieces_(ode, upkeep),
+        engine_(pieces_, *method_, settings_, outcome_),
+        recorder_(ode, settings, method_->looks_inside()) {}
+
+  /// The parts of a run refer to each other.
+  SpatialRun(const SpatialRun&) = delete;
+  SpatialRun& operator=(const SpatialRun&) = delete;  ///< likewise
+
+  /// @param start  (r, p; ṙ, ω′), fulfils the constraints, and every film exists
+  RunOutcome run(const State& start) {
+    y_ = start;
+    y_.resize(ode_.dimension(), R(0));  // work: none yet
+    t_ = R(0);
+    R dt(1e-6 * settings_.duration);
+    pieces_.start(t_, y_);
+    recorder_.start(t_, y_);
+    const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
+      auto step = std::make_shared<MultibodyStep<R>>();
+      static_cast<StepInterpolant<State>&>(*step) = accepted;
+      step->memory = ode_.memory();
+      step->sampled_by_steps = !is_implicit() || accepted.shortened;
+      // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
+      if (is_implicit() && accepted.shortened) step->smooth_rates = false;
+      try {
+        recorder_.step(step, by_method());
+      } catch (const std::domain_error&) {  // its ends are inside a film, and what lies between them is not
+        leaves_film_ = true;
+        return false;
+      }
+      return recorder_.drift().left_out_position <= largest_left_out_;
+    });
+    if (result.end != RunEnd::duration_reached) stop(result);
+    recorder_.finish(t_, y_, by_method());
+    outcome_.t_end = static_cast<double>(t_);
+    outcome_.rhs_evaluations = ode_.evaluations();
+    outcome_.jacobian_evaluations = method_->counts().jacobians;
+    outcome_.factorisations = method_->counts().factorisations;
+    outcome_.mode_changes = pieces_.changes_after_start();
+    return outcome_;
+  }
+
+  const SpatialRecorder<R>& recorder() const { return recorder_; }              ///< what the run has left
+  const std::vector<ContactEvent>& events() const { return pieces_.events(); }  ///< of contact, in order
+  /// What the joints remembered, from when on: the equations keep what they remember at the end.
+  const std::vector<MemoryChange<R>>& memories() const { return pieces_.changes(); }
+  /// How far Euler parameters and constraints were off.
+  SpatialDrift drift() const {
+    SpatialDrift drift = recorder_.drift();
+    drift.norm = pieces_.norm_drift();
+    return drift;
+  }
+  const State& state() const { return y_; }  ///< at the end
+
+ private:
+  /// The state inside a step as the recorder asks for it: by the method from the step's start, in the step's pieces.
+  auto by_method() {
+    return [this](const MultibodyStep<R>& step, const R& t, State& y) {
+      const std::vector<JointMemory<R>> memory = std::exchange(ode_.memory(), step.memory);
+      const bool reached = engine_.reach(step, t, y);
+      ode_.memory() = memory;
+      if (!reached) spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
+    };
+  }
+
+  bool is_implicit() const { return method_->counts().jacobians > 0; }
+
+  void stop(const RunResult& result) {
+    outcome_.status = RunStatus::stopped;
+    outcome_.message = "stopped at t = " + detail::number(static_cast<double>(t_)) + " s: " + reason(result);
+  }
+
+  struct Nearest {
+    double gap = 1;     ///< 1 − |ê|
+    std::string words;  ///< "joint "pin" is at eccentricity ratio 0.99; "
+  };
+  Nearest nearest() {
+    Nearest nearest;
+    ode_.system().place(y_.data(), ode_.workspace());
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      const SpatialJointElement<R>& joint = ode_.system().joints()[j];
+      if (!(axes_cosine(j) > R(least_tilt_cosine))) continue;
+      const Vector2<R> e = ode_.system().joint_kinematics(j, ode_.workspace()).motion.eccentricity;
+      const R& c = joint.plane.bearing.clearance();
+      const Vector2<double> ratio(static_cast<double>(e.x() / c), static_cast<double>(e.y() / c));
+      const double gap = detail::film_gap(ratio);
+      if (!nearest.words.empty() && !(gap < nearest.gap)) continue;
+      nearest = {gap,
+                 "joint \"" + joint.name() + "\" is at eccentricity ratio " + detail::eccentricity_words(ratio) + "; "};
+    }
+    return nearest;
+  }
+
+  /// |n·n_J| of a joint, from the frames of the workspace.
+  R axes_cosine(std::size_t j) {
+    using std::abs;
+    const SpatialJointElement<R>& joint = ode_.system().joints()[j];
+    const SpatialFrame<R>& i = ode_.system().frame(joint.bearing_at.body, ode_.workspace());
+    const SpatialFrame<R>& k = ode_.system().frame(joint.journal_at.body, ode_.workspace());
+    return abs(dot(inertial_vector(i, joint.bearing_at.axis), inertial_vector(k, joint.journal_at.axis)));
+  }
+
+  /// A row that was left out, and is not fulfilled any more.
+  std::string left_out_words() {
+    const SpatialWorkspace<R>& w = ode_.at(t_, y_);
+    for (const std::size_t row : ode_.system().left_out()) {
+      const double off = std::abs(static_cast<double>(w.rows[row].value));
+      if (off <= largest_left_out_) continue;
+      return "constraint " + detail::constraint_of_row(ode_.system(), row) +
+             " has a row that others implied at the start, and that is now off by " + detail::number(off) +
+             " m or rad: it is redundant no more; give the scene constraints that are independent, or none that "
+             "disagree";
+    }
+    return {};
+  }
+
+  std::string reason(const RunResult& result) {
+    if (result.end == RunEnd::refused && !leaves_film_) return left_out_words();
+    const Nearest near = nearest();
+    const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name() + "\""; };
+    using Kind = typename SpatialPieces<R>::Kind;
+    const Kind kind = SpatialPieces<R>::kind_of(result.margin);
+    if (result.end == RunEnd::handed_over) {
+      const std::size_t j = static_cast<std::size_t>(&pieces_.joint_of(result.margin) - ode_.system().joints().data());
+      const double tilt = static_cast<double>(ode_.system().joint_kinematics(j, ode_.workspace()).tilt());
+      return near.words + "the film of " + joint() + " ends at its edge: with a tilt of " + detail::number(tilt) +
+             " rad the journal's edge meets the wall, which is outside the model; give the joint a transition to "
+             "contact, a shorter bearing, or constraints that keep its axes parallel";
+    }
+    try {
+      ode_.system().evaluate_kinematics(t_, y_.data(), ode_.workspace());
+      ode_.system().factorise(ode_.workspace());
+      if (ode_.workspace().schur.size() > 0 && ode_.workspace().schur.least_share() < R(1e-8)) return singular_words();
+    } catch (const SingularConstraints&) {
+      return singular_words();
+    }
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      if (axes_cosine(j) > R(10 * least_tilt_cosine)) continue;
+      return "joint \"" + ode_.system().joints()[j].name() +
+             "\": its journal lies across its bearing, whose middle plane its axis does not pierce; let constraints "
+             "keep its axes from crossing";
+    }
+    switch (result.end) {
+      case RunEnd::step_limit:
+        return near.words + detail::step_limit_words(settings_.max_steps, is_implicit(), near.gap);
+      case RunEnd::stalled:
+        return near.words + detail::stall_words() + detail::remedy_words(is_implicit(), near.gap);
+      case RunEnd::refused:
+        return near.words +
+               "a journal passes its wall inside a step whose ends are in the film; use a tighter tolerance";
+      case RunEnd::not_located:
+        return near.words +
+               (kind == Kind::contact ? "a contact of "
+                : kind == Kind::side  ? "a change of the film's side of "
+                                      : "the film's edge at the wall of ") +
+               joint() + " can't be located; use a tighter tolerance";
+      case RunEnd::stuck:
+        return near.words + joint() +
+               (kind == Kind::contact ? " can't leave a seam of its contact"
+                                      : " can't leave the jump of its half film at a = 0, on which scenes in space do "
+                                        "not slide; use a law without a jump, such as a dynamic one");
+      default:
+        if (near.words.empty()) {
+          return "no step, however short, gives a finite state; use a looser relative_tolerance, or lower the loads "
+                 "and speeds";
+        }
+        return near.words +
+               "no step, however short, gives a finite state; raise the viscosity, lower the load or the clearance, or "
+               "give the joint a transition to contact";
+    }
+  }
+
+  std::string singular_words() {
+    const std::size_t kept = ode_.workspace().schur.least_row();
+    std::size_t row = 0;
+    for (std::size_t seen = 0; row + 1 < ode_.system().constraint_rows(); ++row) {
+      const auto& without = ode_.system().left_out();
+      if (std::binary_search(without.begin(), without.end(), row)) continue;
+      if (seen++ == kept) break;
+    }
+    return "the mechanism is at a singular position, where the constraints are not independent: " +
+           detail::constraint_of_row(ode_.system(), row) +
+           " repeats what others fix; let the run end before it, or choose constraints that stay independent";
+  }
+
+  SpatialOde<R>& ode_;
+  RunSettings settings_;
+  std::unique_ptr<Method> method_;
+  double largest_left_out_;
+  RunOutcome outcome_;
+  SpatialPieces<R> pieces_;
+  EventRun<SpatialPieces<R>> engine_;
+  SpatialRecorder<R> recorder_;
+  bool leaves_film_ = false;
+  State y_;
+  R t_{};
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,315 @@
+/// Before a run in space: are the constraints independent, and does the start fulfil them?
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <sstream>
+
+#include "lubjoint/multibody/assembly.hpp"
+#include "lubjoint/multibody/spatial/system.hpp"
+
+namespace lubjoint {
+
+/// What is done about constraints that repeat others, as those of most closed loops in space do.
+enum class RedundantConstraints {
+  refuse,  ///< the start is refused, with their names and the rank
+  allow    ///< the run does without them: a largest independent set of rows is chosen once, at the start
+};
+
+/// A start on its constraints.
+template <class R>
+struct SpatialStart {
+  StartCorrection<R> correction;      ///< what bringing the start onto the constraints has changed
+  std::vector<std::size_t> left_out;  ///< rows that others imply, in order
+  std::size_t rank = 0;               ///< of all rows
+};
+
+namespace detail {
+
+/// S of a body with M⁻¹ = S Sᵀ, its part for ω′.
+template <class R>
+Matrix3<R> inverse_root(const Matrix3<R>& inertia) {
+  const Matrix3<R> lower = inertia.llt().matrixL();
+  return lower.transpose().template triangularView<Eigen::Upper>().solve(Matrix3<R>::Identity());
+}
+
+/// Φ_v S of an evaluated workspace: rows of comparable units.
+template <class R>
+DenseMatrix<R> scaled_constraint_matrix(const SpatialSystem<R>& system, const SpatialWorkspace<R>& w) {
+  using std::sqrt;
+  DenseMatrix<R> matrix = DenseMatrix<R>::Zero(static_cast<Eigen::Index>(system.constraint_rows()),
+                                               static_cast<Eigen::Index>(system.velocities()));
+  const auto put = [&](std::size_t row, std::size_t body, const std::array<R, 6>& columns) {
+    if (body == ground_body) return;
+    const R light = 1 / sqrt(system.bodies()[body].mass);
+    const Vector3<R> turning =
+        transposed_product(inverse_root(system.bodies()[body].inertia), Vector3<R>(columns[3], columns[4], columns[5]));
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto column = static_cast<Eigen::Index>(6 * body) + k;
+      matrix(static_cast<Eigen::Index>(row), column) += columns[static_cast<std::size_t>(k)] * light;
+      matrix(static_cast<Eigen::Index>(row), column + 3) += turning(k);
+    }
+  };
+  for (std::size_t row = 0; row < system.constraint_rows(); ++row) {
+    put(row, system.first_body_of_row(row), w.rows[row].first);
+    put(row, system.second_body_of_row(row), w.rows[row].second);
+  }
+  return matrix;
+}
+
+/// Moves bodies by small displacements and turns (dr, dπ′), as velocities times a time.
+template <class R>
+void displace(const SpatialSystem<R>& system, const std::vector<R>& by, R* y) {
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    R* q = y + spatial_coordinates * b;
+    for (std::size_t k = 0; k < 3; ++k) q[k] += by[6 * b + k];
+    const EulerParameters<R> p(q[3], q[4], q[5], q[6]);
+    const EulerParameters<R> turned =
+        normalised<R>(p + euler_rate(p, Vector3<R>(by[6 * b + 3], by[6 * b + 4], by[6 * b + 5])));
+    for (std::size_t k = 0; k < 4; ++k) q[3 + k] = turned(static_cast<Eigen::Index>(k));
+  }
+}
+
+/// −S (Φ_v S)⁺ residual: the least change in the kinetic-energy norm.
+template <class R>
+std::vector<R> least_change(const SpatialSystem<R>& system, const DenseMatrix<R>& matrix,
+                            const DenseVector<R>& residual) {
+  using std::sqrt;
+  Eigen::CompleteOrthogonalDecomposition<DenseMatrix<R>> decomposition;
+  decomposition.setThreshold(R(1e-9));
+  decomposition.compute(matrix);
+  const DenseVector<R> step = decomposition.solve(residual);
+  std::vector<R> change(system.velocities());
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const auto first = static_cast<Eigen::Index>(6 * b);
+    const R light = 1 / sqrt(system.bodies()[b].mass);
+    const Vector3<R> turning = product(inverse_root(system.bodies()[b].inertia),
+                                       Vector3<R>(step(first + 3), step(first + 4), step(first + 5)));
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      change[6 * b + static_cast<std::size_t>(k)] = -light * step(first + k);
+      change[6 * b + 3 + static_cast<std::size_t>(k)] = -turning(k);
+    }
+  }
+  return change;
+}
+
+template <class R>
+std::string constraint_of_row(const SpatialSystem<R>& system, std::size_t row) {
+  return "\"" + system.constraints()[system.constraint_of(row)].name + "\"";
+}
+
+/// How a row depends on others.
+template <class R>
+struct RowDependence {
+  DenseVector<R> weights;  ///< of the others
+  R share;                 ///< of the row that is new
+};
+
+template <class R>
+RowDependence<R> dependence_of_row(const DenseMatrix<R>& matrix, Eigen::Index row,
+                                   const std::vector<std::size_t>& others) {
+  DenseVector<R> rest = matrix.row(row).transpose();
+  const R size = rest.norm();
+  RowDependence<R> result{DenseVector<R>::Zero(static_cast<Eigen::Index>(others.size())), R(1)};
+  if (!others.empty()) {
+    DenseMatrix<R> columns(matrix.cols(), static_cast<Eigen::Index>(others.size()));
+    for (std::size_t k = 0; k < others.size(); ++k)
+      columns.col(static_cast<Eigen::Index>(k)) = matrix.row(static_cast<Eigen::Index>(others[k])).transpose();
+    result.weights = columns.colPivHouseholderQr().solve(rest);
+    rest -= columns * result.weights;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) result.weights(k) *= columns.col(k).norm() / size;
+  }
+  result.share = size > 0 ? R(rest.norm() / size) : R(0);
+  return result;
+}
+
+/// A constraint row counts as independent if more than this share of it is new.
+inline constexpr double least_new_share = 1e-9;
+
+/// Where a row of Φ_v depends on others, so must Φ_t and γ, or no velocities or accelerations fulfil them all.
+/// @returns what they disagree on; empty if on nothing
+template <class R>
+std::string disagreement(const DenseMatrix<R>& matrix, const SpatialWorkspace<R>& w, std::size_t row,
+                         const std::vector<std::size_t>& others, const RowDependence<R>& dependence) {
+  using std::abs;
+  const R size = matrix.row(static_cast<Eigen::Index>(row)).norm();
+  const auto disagrees = [&](const auto& value) {
+    R left = value(w.rows[row]);
+    R of_terms = abs(left);
+    R largest(0);  // rows across a plane of motion have nothing but rounding of the others
+    for (const SpatialRow<R>& each : w.rows) largest = std::max<R>(largest, abs(value(each)));
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      const R weight = dependence.weights(static_cast<Eigen::Index>(k));
+      if (abs(weight) <= R(least_new_share)) continue;  // rounding
+      const R term = weight * size / matrix.row(static_cast<Eigen::Index>(others[k])).norm() * value(w.rows[others[k]]);
+      left -= term;
+      of_terms += abs(term);
+    }
+    return abs(left) > R(1e-6) * of_terms + R(1e-10) * largest;
+  };
+  if (disagrees([](const SpatialRow<R>& r) { return r.time_rate; })) return "velocity";
+  if (disagrees([](const SpatialRow<R>& r) { return r.gamma; })) return "acceleration";
+  return {};
+}
+
+/// Throws for a row that depends on others: what it does, which those are, and the rank.
+template <class R>
+[[noreturn]] void refuse_row(const SpatialSystem<R>& system, std::size_t row, const std::vector<std::size_t>& others,
+                             const RowDependence<R>& dependence, const std::string& disagreement, std::size_t rank,
+                             const char* allowed) {
+  using std::abs;
+  std::ostringstream message;
+  message << "constraint " << constraint_of_row(system, row);
+  if (disagreement.empty()) {
+    message << " repeats what others fix already";
+  } else {
+    message << " is conflicting: it demands another " << disagreement << " than others do";
+  }
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const std::string name = constraint_of_row(system, others[k]);
+    const bool takes_part = abs(dependence.weights(static_cast<Eigen::Index>(k))) > R(1e-6);
+    if (takes_part && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) message << (i ? ", " : ": ") << names[i];
+  message << "; the constraints have " << system.constraint_rows() << " rows of rank " << rank
+          << " at the start; allowed are " << allowed;
+  throw ConstraintError(message.str());
+}
+
+/// Rows of a largest independent set by pivoting, and those that are left out, both in order. Rows count by their
+/// direction; those of drivers first, whose efforts are what is asked for.
+template <class R>
+std::pair<std::vector<std::size_t>, std::vector<std::size_t>> independent_rows(const SpatialSystem<R>& system,
+                                                                               DenseMatrix<R> matrix) {
+  const R first_choice(1e3);
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    const R size = matrix.row(row).norm();
+    if (!(size > 0)) continue;
+    const bool drives = system.constraints()[system.constraint_of(static_cast<std::size_t>(row))].is_driver();
+    matrix.row(row) *= (drives ? first_choice : R(1)) / size;
+  }
+  Eigen::ColPivHouseholderQR<DenseMatrix<R>> decomposition(matrix.transpose());
+  decomposition.setThreshold(R(least_new_share));
+  const auto& order = decomposition.colsPermutation().indices();
+  std::vector<std::size_t> kept, left_out;
+  for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
+    (k < decomposition.rank() ? kept : left_out).push_back(static_cast<std::size_t>(order(k)));
+  }
+  std::sort(kept.begin(), kept.end());
+  std::sort(left_out.begin(), left_out.end());
+  return {kept, left_out};
+}
+
+}  // namespace detail
+
+/// Moves a start onto the constraints: Gauss–Newton steps of least kinetic-energy norm for places, one linear step for
+/// velocities; Euler parameters are normalised. Rows that others imply are refused, or left out of the system.
+/// @param length  the size of the mechanism, of which a relative 1e-9 counts as fulfilled [m]
+/// @throws ConstraintError  redundant constraints (with rank), rows that conflict with others, or no position fulfils
+///   them all (with the worst)
+template <class R>
+SpatialStart<R> assemble_spatial_start(SpatialSystem<R>& system, const R& t, const R& length, std::vector<R>& y,
+                                       RedundantConstraints redundant) {
+  using detail::DenseVector;
+  using std::abs;
+  SpatialStart<R> result;
+  const std::size_t bodies = system.bodies().size();
+  const std::vector<R> given = y;
+  detail::displace(system, std::vector<R>(system.velocities(), R(0)), y.data());  // |p| = 1
+  if (system.constraint_rows() == 0) return result;
+  system.leave_out({});
+  SpatialWorkspace<R> w = system.template workspace<R>();
+  const auto rows = static_cast<Eigen::Index>(system.constraint_rows());
+  DenseVector<R> residual(rows);
+  Eigen::Index worst = 0;
+  R size(0);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    system.evaluate_kinematics(t, y.data(), w);
+    for (Eigen::Index i = 0; i < rows; ++i) residual(i) = w.rows[static_cast<std::size_t>(i)].value;
+    const R before = size;
+    size = residual.cwiseAbs().maxCoeff(&worst);
+    // To rounding of the mechanism's own size; the last step is taken anyway.
+    if (size <= 4 * std::numeric_limits<R>::epsilon() * length) break;
+    if (iteration > 8 && size < R(1e-9) * length && size >= before / 2) break;
+    detail::displace(system, detail::least_change(system, detail::scaled_constraint_matrix(system, w), residual),
+                     y.data());
+  }
+  system.evaluate_kinematics(t, y.data(), w);
+  const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
+  for (Eigen::Index i = 0; i < rows; ++i) residual(i) = w.rows[static_cast<std::size_t>(i)].value;
+  size = residual.cwiseAbs().maxCoeff(&worst);
+  auto [kept, left_out] = detail::independent_rows(system, matrix);
+  result.rank = kept.size();
+  if (!(size <= R(1e-9) * length)) {
+    std::ostringstream message;
+    message << "the constraints are conflicting: no position near the start fulfils them all, and the nearest leaves "
+               "constraint "
+            << detail::constraint_of_row(system, static_cast<std::size_t>(worst)) << " open by "
+            << static_cast<double>(size) << " m or rad; the constraints have " << rows << " rows of rank "
+            << result.rank << " there; allowed are constraints that don't contradict each other";
+    throw ConstraintError(message.str());
+  }
+  for (Eigen::Index i = 0; i < rows; ++i) residual(i) = system.constraint_rate(static_cast<std::size_t>(i), w);
+  const std::vector<R> change = detail::least_change(system, matrix, residual);
+  for (std::size_t i = 0; i < change.size(); ++i) y[system.places() + i] += change[i];
+  system.evaluate_kinematics(t, y.data(), w);  // γ is of the velocities
+
+  if (redundant == RedundantConstraints::refuse && !left_out.empty()) {
+    std::vector<std::size_t> earlier;
+    for (std::size_t row = 0; row < system.constraint_rows(); ++row) {
+      const auto dependence = detail::dependence_of_row(matrix, static_cast<Eigen::Index>(row), earlier);
+      if (!(dependence.share > R(detail::least_new_share))) {
+        detail::refuse_row(system, row, earlier, dependence, detail::disagreement(matrix, w, row, earlier, dependence),
+                           result.rank, "independent ones, or redundant = \"allow\"");
+      }
+      earlier.push_back(row);
+    }
+  }
+  for (const std::size_t row : left_out) {
+    const auto dependence = detail::dependence_of_row(matrix, static_cast<Eigen::Index>(row), kept);
+    const std::string word = detail::disagreement(matrix, w, row, kept, dependence);
+    if (!word.empty())
+      detail::refuse_row(system, row, kept, dependence, word, result.rank, "constraints that don't contradict others");
+  }
+  system.leave_out(left_out);
+  result.left_out = std::move(left_out);
+
+  const auto larger = [](R& largest, const R& value) { largest = std::max<R>(largest, abs(value)); };
+  for (std::size_t b = 0; b < bodies; ++b) {
+    const SpatialMotion<R> before = spatial_motion_in(given.data(), bodies, b);
+    const SpatialMotion<R> after = spatial_motion_in(y.data(), bodies, b);
+    larger(result.correction.position, R((after.position - before.position).norm()));
+    const EulerParameters<R> turned = after.parameters - normalised<R>(before.parameters);
+    larger(result.correction.angle, R(2 * turned.norm()));  // of a small turn
+    larger(result.correction.velocity, R((after.velocity - before.velocity).norm()));
+    larger(result.correction.spin, R((after.body_spin - before.body_spin).norm()));
+  }
+  return result;
+}
+
+/// Projects a state back onto places and velocities that fulfil the constraints, in the kinetic-energy norm.
+/// @throws SingularConstraints
+template <class R>
+void project_onto_constraints(const SpatialSystem<R>& system, const R& t, std::vector<R>& y, SpatialWorkspace<R>& w) {
+  if (system.constraint_rows() == system.left_out().size()) return;
+  std::vector<R> mu(system.constraint_rows());
+  std::vector<R> change(system.velocities());
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    system.evaluate_kinematics(t, y.data(), w);
+    system.factorise(w);
+    for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = w.rows[i].value;
+    system.solve_schur(w, mu.data());
+    std::fill(change.begin(), change.end(), R(0));
+    system.subtract_constraint_forces(w, mu.data(), change.data());
+    detail::displace(system, change, y.data());
+  }
+  system.evaluate_kinematics(t, y.data(), w);
+  system.factorise(w);
+  for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = system.constraint_rate(i, w);
+  system.solve_schur(w, mu.data());
+  system.subtract_constraint_forces(w, mu.data(), y.data() + system.places());
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,62 @@
+/// The constraints that there are in space. A new one is a struct (rows, bodies, evaluate, cast, visit_points), a place
+/// in AnySpatialConstraint, a reader in lib/src/spatial_constraints.cpp, and a proof of its γ in oracle/proofs.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "lubjoint/multibody/spatial/drivers.hpp"
+
+namespace lubjoint {
+
+/// Any of them.
+template <class R>
+using AnySpatialConstraint =
+    std::variant<FixedJoint<R>, SphericalJoint<R>, UniversalJoint<R>, RevoluteJoint<R>, CylindricalJoint<R>,
+                 PrismaticJoint<R>, PlanarJoint<R>, DistanceJoint<R>, RotationalDriver<R>, TranslationalDriver<R>>;
+
+/// A constraint of a system, and the name that messages and results give it.
+template <class R>
+struct NamedSpatialConstraint {
+  std::string name;                    ///< unique among the constraints
+  AnySpatialConstraint<R> constraint;  ///< the constraint itself
+
+  /// Number of scalar equations.
+  std::size_t rows() const {
+    return std::visit([](const auto& c) { return c.rows; }, constraint);
+  }
+  /// Number of body i, or ground_body.
+  std::size_t first_body() const {
+    return std::visit([](const auto& c) { return c.first_body(); }, constraint);
+  }
+  /// Number of body j.
+  std::size_t second_body() const {
+    return std::visit([](const auto& c) { return c.second_body(); }, constraint);
+  }
+  /// Where the reaction on body j is reported, in its frame [m].
+  Vector3<R> second_point() const {
+    return std::visit([](const auto& c) { return c.second_point(); }, constraint);
+  }
+  /// The same on another scalar.
+  template <class S>
+  NamedSpatialConstraint<S> cast() const {
+    return {name, std::visit([](const auto& c) { return AnySpatialConstraint<S>(c.template cast<S>()); }, constraint)};
+  }
+  /// Calls visit(body, point) for each point that it fixes to a body or the ground.
+  template <class Visit>
+  void visit_points(const Visit& visit) const {
+    std::visit([&](const auto& c) { c.visit_points(visit); }, constraint);
+  }
+  /// Does it prescribe a motion, so that its multiplier is a driving moment or force?
+  bool is_driver() const {
+    return std::holds_alternative<RotationalDriver<R>>(constraint) ||
+           std::holds_alternative<TranslationalDriver<R>>(constraint);
+  }
+  /// Can it hold a moment at its point?
+  bool holds_moment() const {
+    return !std::holds_alternative<SphericalJoint<R>>(constraint) &&
+           !std::holds_alternative<DistanceJoint<R>>(constraint);
+  }
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,474 @@
+/// Equations of motion of constrained bodies in space with lubricated joints.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lubjoint/multibody/envelope_cholesky.hpp"
+#include "lubjoint/multibody/planar_system.hpp"
+#include "lubjoint/multibody/spatial/constraint.hpp"
+#include "lubjoint/multibody/spatial/force_elements.hpp"
+#include "lubjoint/multibody/spatial/joint_element.hpp"
+
+namespace lubjoint {
+
+namespace detail {
+
+/// What the solve needs beside the workspace on a scalar with derivatives; on a plain number, nothing.
+template <class T, bool = ScalarTraits<T>::carries_derivatives>
+struct SpatialDifferentiation {
+  void resize(std::size_t, std::size_t, std::size_t) {}
+};
+template <class T>
+struct SpatialDifferentiation<T, true> {
+  using R = RealOf<T>;
+  using Derivatives = std::decay_t<decltype(std::declval<T>().derivatives())>;
+  std::vector<SpatialRow<R>> rows;
+  std::vector<R> accelerations, multipliers;
+  std::vector<Derivatives> d_accelerations, d_multipliers, d_forces, d_kept;
+
+  void resize(std::size_t velocities, std::size_t constraint_rows, std::size_t kept_rows) {
+    rows.resize(constraint_rows);
+    accelerations.resize(velocities);
+    multipliers.resize(constraint_rows);
+    d_accelerations.resize(velocities);
+    d_multipliers.resize(constraint_rows);
+    d_forces.resize(velocities);
+    d_kept.resize(kept_rows);
+  }
+};
+
+}  // namespace detail
+
+/// What a run keeps of a system in space between evaluations, for one scalar T. Made by SpatialSystem::workspace; an
+/// evaluation takes no other memory.
+template <class T>
+struct SpatialWorkspace {
+  using R = RealOf<T>;                                 ///< the number itself
+  std::vector<SpatialFrame<T>> frames;                 ///< of the bodies
+  SpatialFrame<T> ground{spatial_ground_motion<T>()};  ///< what stands in for a body
+  std::vector<SpatialRow<T>> rows;                     ///< of Φ = 0, those that are left out as well
+  std::vector<SpatialJointForce<T>> joints;            ///< what each joint does
+  std::vector<T> forces;                               ///< f inertial, n′ − ω̃′J′ω′ in the body's frame
+  std::vector<T> accelerations;                        ///< (r̈, ω̇′) of each body
+  std::vector<T> multipliers;                          ///< λ; 0 of rows that are left out
+  std::vector<std::array<R, 6>> weighted;              ///< M⁻¹ times the columns of each side of each row
+  EnvelopeCholesky<R> schur;                           ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
+  std::vector<R> kept;                                 ///< work of a solve
+  detail::SpatialDifferentiation<T> implicit;          ///< derivatives through the solve
+};
+
+/// What a constraint does to its second body at the joint's point.
+template <class T>
+struct SpatialReaction {
+  Vector3<T> force;   ///< inertial axes [N]
+  Vector3<T> moment;  ///< about that point, inertial axes [N m]
+};
+
+/// Bodies, constraints, joints, springs and loads in space. The state is y = (r, p of every body; ṙ, ω′ of every body).
+///   ṗ = ½ Lᵀ ω′,   m r̈ = f,   J′ω̇′ = n′ − ω̃′J′ω′,   with −Φ_vᵀλ and Φ_v (r̈, ω̇′) = γ − 2αΦ̇ − β²Φ
+/// Source: Flores et al. (2009), section 6, eqs. 35 to 41. M = diag(m, J′) is constant: λ comes from the Schur
+/// complement Φ_v M⁻¹ Φ_vᵀ, whose structure is found once. Without constraints there is no solve. On a scalar with
+/// derivatives the value is solved once, and the derivatives of accelerations and λ are right-hand sides of the same
+/// factors.
+template <class R>
+class SpatialSystem {
+ public:
+  /// Finds the structure of the equations; numbers of bodies are those of their place in the list.
+  SpatialSystem(std::vector<SpatialBody<R>> bodies, std::vector<NamedSpatialConstraint<R>> constraints,
+                std::vector<SpatialJointElement<R>> joints, const Vector3<R>& gravity,
+                const Baumgarte<R>& stabilisation, SpatialForceElements<R> elements = {})
+      : bodies_(std::move(bodies)),
+        constraints_(std::move(constraints)),
+        joints_(std::move(joints)),
+        elements_(std::move(elements)),
+        gravity_(gravity),
+        stabilisation_(stabilisation) {
+    for (const SpatialBody<R>& body : bodies_) inverse_inertia_.push_back(body.inverse_inertia());
+    first_row_.push_back(0);
+    for (const NamedSpatialConstraint<R>& each : constraints_) {
+      joint_points_.push_back(each.second_point());
+      for (std::size_t i = 0; i < each.rows(); ++i) sides_.push_back({each.first_body(), each.second_body()});
+      first_row_.push_back(first_row_.back() + each.rows());
+    }
+    leave_out({});
+  }
+
+  const std::vector<SpatialBody<R>>& bodies() const { return bodies_; }                       ///< in their order
+  const std::vector<NamedSpatialConstraint<R>>& constraints() const { return constraints_; }  ///< in their order
+  const std::vector<SpatialJointElement<R>>& joints() const { return joints_; }               ///< in their order
+  const SpatialForceElements<R>& elements() const { return elements_; }                       ///< springs, moving loads
+  const Vector3<R>& gravity() const { return gravity_; }                                      ///< [m/s²]
+  std::size_t places() const { return spatial_coordinates * bodies_.size(); }                 ///< number of (r, p)
+  std::size_t velocities() const { return spatial_velocities * bodies_.size(); }  ///< number of (ṙ, ω′)
+  std::size_t states() const { return spatial_states * bodies_.size(); }          ///< both
+  std::size_t constraint_rows() const { return first_row_.back(); }               ///< number of λ
+  /// Number of the first λ of a constraint.
+  std::size_t first_row(std::size_t constraint) const { return first_row_[constraint]; }
+  /// The constraint of a row.
+  std::size_t constraint_of(std::size_t row) const {
+    return static_cast<std::size_t>(std::upper_bound(first_row_.begin(), first_row_.end(), row) - first_row_.begin()) -
+           1;
+  }
+  /// Body i of a row, or ground_body.
+  std::size_t first_body_of_row(std::size_t row) const { return sides_[row].first; }
+  /// Body j of a row, or ground_body.
+  std::size_t second_body_of_row(std::size_t row) const { return sides_[row].second; }
+  /// J′⁻¹ of a body.
+  const Matrix3<R>& inverse_inertia(std::size_t body) const { return inverse_inertia_[body]; }
+
+  /// Leaves rows out of the equations, because others imply them: their multipliers are 0. Workspaces made before it
+  /// are of no more use.
+  void leave_out(const std::vector<std::size_t>& rows) {
+    left_out_ = rows;
+    kept_.clear();
+    for (std::size_t row = 0; row < constraint_rows(); ++row) {
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) kept_.push_back(row);
+    }
+    find_structure();
+  }
+  const std::vector<std::size_t>& left_out() const { return left_out_; }  ///< rows that the equations do without
+
+  /// All the memory that evaluations on the scalar T take.
+  template <class T>
+  SpatialWorkspace<T> workspace() const {
+    SpatialWorkspace<T> w;
+    w.frames.assign(bodies_.size(), SpatialFrame<T>(spatial_ground_motion<T>()));
+    w.rows.resize(constraint_rows());
+    w.joints.resize(joints_.size());
+    w.forces.resize(velocities());
+    w.accelerations.resize(velocities());
+    w.multipliers.assign(constraint_rows(), T(0));
+    w.weighted.resize(2 * constraint_rows());
+    w.schur = EnvelopeCholesky<R>(envelope_);
+    w.kept.resize(kept_.size());
+    w.implicit.resize(velocities(), constraint_rows(), kept_.size());
+    return w;
+  }
+
+  /// Everything at (t, y): frames, joint forces, constraint rows, accelerations and λ, into the workspace. The time,
+  /// too, may carry derivatives.
+  /// @param y  states() numbers;  @param memory  of the joints, one each, or none where none may touch or jump
+  /// @throws FilmDomainError, JournalAcross, SingularConstraints, SpringWithoutDirection
+  template <class T, class Time>
+  void evaluate(const Time& t, const T* y, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w) const {
+    place(y, w);
+    apply_forces(t, memory, w);
+    if (kept_.empty()) {
+      for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
+      if (constraint_rows() > 0) evaluate_constraints(t, w);
+      return;
+    }
+    evaluate_constraints(t, w);
+    factorise(w);
+    solve(w);
+  }
+
+  /// Frames and constraint rows alone.
+  template <class T, class Time>
+  void evaluate_kinematics(const Time& t, const T* y, SpatialWorkspace<T>& w) const {
+    place(y, w);
+    evaluate_constraints(t, w);
+  }
+
+  /// Of a joint's journal in its bearing, from the frames of a workspace. @throws JournalAcross
+  template <class T>
+  SpatialJointKinematics<T> joint_kinematics(std::size_t joint, const SpatialWorkspace<T>& w) const {
+    const SpatialJointElement<R>& at = joints_[joint];
+    return at.kinematics(frame(at.bearing_at.body, w), frame(at.journal_at.body, w));
+  }
+
+  /// Frame of a body of a workspace, or of the ground.
+  template <class T>
+  const SpatialFrame<T>& frame(std::size_t body, const SpatialWorkspace<T>& w) const {
+    return body == ground_body ? w.ground : w.frames[body];
+  }
+
+  // The parts of evaluate, in its order. Each reads what those before it have left in the workspace.
+
+  /// Frames of the bodies.
+  template <class T>
+  void place(const T* y, SpatialWorkspace<T>& w) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      w.frames[b] = SpatialFrame<T>(spatial_motion_in(y, bodies_.size(), b));
+    }
+  }
+
+  /// Weights, loads, gyroscopic moments and joints, into forces.
+  template <class T, class Time>
+  void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const SpatialBody<R>& body = bodies_[b];
+      const SpatialFrame<T>& at = w.frames[b];
+      const Vector3<T> gyroscopic = cross(at.body_spin, product<T>(body.inertia.template cast<T>(), at.body_spin));
+      const Vector3<T> moment =
+          is_zero(body.moment) ? zero_vector<T>() : transposed_product<T>(at.rotation, body.moment.template cast<T>());
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        w.forces[6 * b + k] = T(body.mass * gravity_(i) + body.load(i));
+        w.forces[6 * b + 3 + k] = T(moment(i) - gyroscopic(i));
+      }
+    }
+    const auto add = [&](std::size_t body, const Vector3<T>& force, const Vector3<T>& moment) {
+      if (body == ground_body) return;
+      const Vector3<T> in_body = transposed_product(w.frames[body].rotation, moment);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        w.forces[6 * body + k] += force(i);
+        w.forces[6 * body + 3 + k] += in_body(i);
+      }
+    };
+    static const JointMemory<R> no_memory;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const SpatialJointElement<R>& joint = joints_[j];
+      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
+                                memory.empty() ? no_memory : memory[j]);
+      const SpatialWrench<T> on_bearing = w.joints[j].on_bearing();
+      const SpatialWrench<T> on_journal = w.joints[j].on_journal();
+      add(joint.bearing_at.body, on_bearing.force, on_bearing.moment);
+      add(joint.journal_at.body, on_journal.force, on_journal.moment);
+    }
+    if (elements_.empty()) return;
+    elements_.template apply<T>(
+        t, [&](std::size_t body) -> const SpatialFrame<T>& { return frame(body, w); }, add);
+  }
+
+  /// Constraint rows of the frames.
+  template <class T, class Time>
+  void evaluate_constraints(const Time& t, SpatialWorkspace<T>& w) const {
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      const Sides& sides = sides_[first_row_[c]];
+      std::visit(
+          [&](const auto& constraint) {
+            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
+          },
+          constraints_[c].constraint);
+    }
+  }
+
+  /// Factors of Φ_v M⁻¹ Φ_vᵀ of the rows that are kept. @throws SingularConstraints
+  template <class T>
+  void factorise(SpatialWorkspace<T>& w) const {
+    if constexpr (ScalarTraits<T>::carries_derivatives) {
+      for (std::size_t i = 0; i < w.rows.size(); ++i) {
+        for (std::size_t k = 0; k < 6; ++k) {
+          w.implicit.rows[i].first[k] = value_of(w.rows[i].first[k]);
+          w.implicit.rows[i].second[k] = value_of(w.rows[i].second[k]);
+        }
+      }
+    }
+    const std::vector<SpatialRow<R>>& rows = values_of_rows(w);
+    for (const std::size_t row : kept_) {
+      if (sides_[row].first != ground_body)
+        accelerate(sides_[row].first, rows[row].first.data(), w.weighted[2 * row].data());
+      if (sides_[row].second != ground_body)
+        accelerate(sides_[row].second, rows[row].second.data(), w.weighted[2 * row + 1].data());
+    }
+    w.schur.set_zero();
+    for (const Pair& pair : pairs_) {
+      const std::array<R, 6>& left = w.weighted[2 * pair.row + (pair.row_second ? 1 : 0)];
+      const std::array<R, 6>& right = pair.column_second ? rows[pair.column].second : rows[pair.column].first;
+      R total = left[0] * right[0];
+      for (std::size_t k = 1; k < 6; ++k) total += left[k] * right[k];
+      w.schur(pair.in_row, pair.in_column) += total;
+    }
+    w.schur.factorise();
+  }
+
+  /// λ and accelerations from forces, rows and factors.
+  void solve(SpatialWorkspace<R>& w) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
+    for (const std::size_t row : kept_) w.multipliers[row] = -wanted_acceleration(row, w);
+    constrain(w, w.rows, w.multipliers.data(), w.accelerations.data(), w.kept);
+  }
+
+  /// d(g − Φ_vᵀλ − M a) = 0 and d(Φ_v a − wanted) = 0 with a and λ held give the right-hand sides of da and dλ.
+  template <class T>
+  void solve(SpatialWorkspace<T>& w) const {
+    auto& a = w.implicit.accelerations;
+    auto& lambda = w.implicit.multipliers;
+    auto& da = w.implicit.d_accelerations;
+    auto& dlambda = w.implicit.d_multipliers;
+    auto& force = w.implicit.d_forces;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      std::array<R, 6> of_body;
+      for (std::size_t k = 0; k < 6; ++k) of_body[k] = value_of(w.forces[6 * b + k]);
+      accelerate(b, of_body.data(), &a[6 * b]);
+    }
+    for (const std::size_t row : kept_) {
+      const T wanted = wanted_acceleration(row, w);
+      lambda[row] = -value_of(wanted);
+      dlambda[row] = -wanted.derivatives();
+    }
+    constrain(w, w.implicit.rows, lambda.data(), a.data(), w.kept);
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = w.forces[i].derivatives();
+    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<T, 6>& columns = second ? w.rows[row].second : w.rows[row].first;
+      for (std::size_t k = 0; k < 6; ++k) {
+        force[6 * body + k] -= lambda[row] * columns[k].derivatives();
+        dlambda[row] += a[6 * body + k] * columns[k].derivatives();
+      }
+    });
+    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &force[6 * b], &da[6 * b]);
+    constrain(w, w.implicit.rows, dlambda.data(), da.data(), w.implicit.d_kept);
+    for (std::size_t i = 0; i < a.size(); ++i) w.accelerations[i] = T(a[i], da[i]);
+    for (const std::size_t row : kept_) w.multipliers[row] = T(lambda[row], dlambda[row]);
+  }
+
+  /// M⁻¹ of a body: accelerations (r̈, ω̇′) that a force (f, n′) gives it. V: R, a number with derivatives, or
+  /// derivatives.
+  template <class V>
+  void accelerate(std::size_t body, const V* force, V* acceleration) const {
+    const R inverse_mass = 1 / bodies_[body].mass;
+    const Matrix3<R>& j = inverse_inertia_[body];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      acceleration[k] = inverse_mass * force[k];
+      acceleration[3 + k] = j(i, 0) * force[3] + j(i, 1) * force[4] + j(i, 2) * force[5];
+    }
+  }
+
+  /// x −= M⁻¹ Φ_vᵀ μ, x in velocities, μ of all rows; those left out count for nothing. Needs the factors' weights.
+  template <class V>
+  void subtract_constraint_forces(const SpatialWorkspace<R>& w, const V* mu, V* x) const {
+    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 6>& by = w.weighted[2 * row + (second ? 1 : 0)];
+      for (std::size_t k = 0; k < 6; ++k) x[6 * body + k] -= by[k] * mu[row];
+    });
+  }
+
+  /// Solves Φ_v M⁻¹ Φ_vᵀ μ = b of the rows that are kept, in place.
+  template <class W>
+  void solve_schur(W& w, R* b) const {
+    for (std::size_t k = 0; k < kept_.size(); ++k) w.kept[k] = b[kept_[k]];
+    w.schur.solve(w.kept.data());
+    for (std::size_t k = 0; k < kept_.size(); ++k) b[kept_[k]] = w.kept[k];
+  }
+
+  /// Φ̇ of a row of an evaluated workspace.
+  template <class T>
+  T constraint_rate(std::size_t row, const SpatialWorkspace<T>& w) const {
+    T rate(w.rows[row].time_rate);
+    const Sides& sides = sides_[row];
+    if (sides.first != ground_body) rate += along(w.rows[row].first, w.frames[sides.first]);
+    if (sides.second != ground_body) rate += along(w.rows[row].second, w.frames[sides.second]);
+    return rate;
+  }
+
+  /// γ − 2αΦ̇ − β²Φ
+  template <class T>
+  T wanted_acceleration(std::size_t row, const SpatialWorkspace<T>& w) const {
+    const R& alpha = stabilisation_.alpha;
+    const R& beta = stabilisation_.beta;
+    if (alpha == 0 && beta == 0) return w.rows[row].gamma;
+    return T(w.rows[row].gamma - 2 * alpha * constraint_rate(row, w) - (beta * beta) * w.rows[row].value);
+  }
+
+  /// What a constraint does to its second body at the joint's point, from an evaluated workspace. λ has the share of
+  /// Baumgarte's terms in it, which is as small as the drift. Of a driver: about, or along, its axis.
+  template <class T>
+  SpatialReaction<T> reaction_at_joint(std::size_t constraint, const SpatialWorkspace<T>& w) const {
+    std::array<T, 6> total{T(0), T(0), T(0), T(0), T(0), T(0)};
+    for (std::size_t row = first_row_[constraint]; row < first_row_[constraint + 1]; ++row) {
+      for (std::size_t k = 0; k < 6; ++k) total[k] -= w.rows[row].second[k] * w.multipliers[row];
+    }
+    const SpatialFrame<T>& body = frame(constraints_[constraint].second_body(), w);
+    const Vector3<T> force(total[0], total[1], total[2]);
+    const Vector3<T> moment = product<T>(body.rotation, Vector3<T>(total[3], total[4], total[5]));
+    return {force, difference(moment, cross(inertial_vector(body, joint_points_[constraint]), force))};
+  }
+  /// Moment about the axis, or force along it, that a driver puts on its second body.
+  template <class T>
+  T driving_effort(std::size_t constraint, const SpatialWorkspace<T>& w) const {
+    return T(-w.multipliers[first_row_[constraint]]);
+  }
+
+ private:
+  struct Sides {
+    std::size_t first;
+    std::size_t second;
+  };
+  /// Two rows that hold the same body, and where their product stands in the Schur complement.
+  struct Pair {
+    std::size_t row;
+    std::size_t column;
+    std::size_t in_row;
+    std::size_t in_column;
+    bool row_second;
+    bool column_second;
+  };
+
+  void find_structure() {
+    pairs_.clear();
+    envelope_.clear();
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      std::size_t lowest = i;
+      for (std::size_t k = 0; k <= i; ++k) {
+        const Sides& a = sides_[kept_[i]];
+        const Sides& b = sides_[kept_[k]];
+        for (const bool a_second : {false, true}) {
+          for (const bool b_second : {false, true}) {
+            const std::size_t body = a_second ? a.second : a.first;
+            if (body == ground_body || body != (b_second ? b.second : b.first)) continue;
+            pairs_.push_back({kept_[i], kept_[k], i, k, a_second, b_second});
+            lowest = std::min(lowest, k);
+          }
+        }
+      }
+      envelope_.push_back(lowest);
+    }
+  }
+
+  template <class T>
+  static T along(const std::array<T, 6>& columns, const SpatialFrame<T>& body) {
+    return T(columns[0] * body.velocity(0) + columns[1] * body.velocity(1) + columns[2] * body.velocity(2) +
+             columns[3] * body.body_spin(0) + columns[4] * body.body_spin(1) + columns[5] * body.body_spin(2));
+  }
+
+  /// Calls act(row, body, second) for both sides of every row that is kept, where they are bodies.
+  template <class Act>
+  void for_each_kept_side(const Act& act) const {
+    for (const std::size_t row : kept_) {
+      if (sides_[row].first != ground_body) act(row, sides_[row].first, false);
+      if (sides_[row].second != ground_body) act(row, sides_[row].second, true);
+    }
+  }
+
+  static const std::vector<SpatialRow<R>>& values_of_rows(const SpatialWorkspace<R>& w) { return w.rows; }
+  template <class T>
+  static const std::vector<SpatialRow<R>>& values_of_rows(const SpatialWorkspace<T>& w) {
+    return w.implicit.rows;
+  }
+
+  /// From −wanted in lambda and M⁻¹g in a to λ and accelerations. V: R, or its derivatives.
+  template <class W, class V>
+  void constrain(const W& w, const std::vector<SpatialRow<R>>& rows, V* lambda, V* a, std::vector<V>& kept) const {
+    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 6>& columns = second ? rows[row].second : rows[row].first;
+      for (std::size_t k = 0; k < 6; ++k) lambda[row] += columns[k] * a[6 * body + k];
+    });
+    for (std::size_t k = 0; k < kept_.size(); ++k) kept[k] = lambda[kept_[k]];
+    w.schur.solve(kept.data());
+    for (std::size_t k = 0; k < kept_.size(); ++k) lambda[kept_[k]] = kept[k];
+    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
+      const std::array<R, 6>& by = w.weighted[2 * row + (second ? 1 : 0)];
+      for (std::size_t k = 0; k < 6; ++k) a[6 * body + k] -= by[k] * lambda[row];
+    });
+  }
+
+  std::vector<SpatialBody<R>> bodies_;
+  std::vector<NamedSpatialConstraint<R>> constraints_;
+  std::vector<SpatialJointElement<R>> joints_;
+  SpatialForceElements<R> elements_;
+  std::vector<Vector3<R>> joint_points_;  // of each constraint, fixed to its second body
+  Vector3<R> gravity_;
+  Baumgarte<R> stabilisation_;
+  std::vector<Matrix3<R>> inverse_inertia_;
+  std::vector<std::size_t> first_row_;
+  std::vector<Sides> sides_;
+  std::vector<std::size_t> left_out_, kept_;
+  std::vector<Pair> pairs_;
+  std::vector<std::size_t> envelope_;
+};
+
+}  // namespace lubjoint

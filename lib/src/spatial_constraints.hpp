@@ -1,0 +1,22 @@
+/// Constraints, and what is fixed to bodies, of a scene file in space.
+#pragma once
+
+#include "lubjoint/scene/spatial_scene.hpp"
+#include "table_reader.hpp"
+
+namespace lubjoint {
+
+std::vector<std::string> body_names(const SpatialScene& scene);
+
+/// @throws SceneError  as do all below
+EulerParameters<double> read_orientation(TableReader table);
+/// {body, point}
+SpatialBodyPoint<double> read_spatial_point(TableReader table, const SpatialScene& scene);
+/// {body, point, axis}, its axis required
+BodyAxes<double> read_axes(TableReader table, const SpatialScene& scene);
+/// The same; without an axis of its own it has the other's at t = 0.
+BodyAxes<double> read_axes_like(TableReader table, const SpatialScene& scene, const BodyAxes<double>& other);
+/// A constraint of a scene whose bodies are known, and, for a driver, the constraints before it.
+SpatialSceneConstraint read_spatial_constraint(TableReader table, const SpatialScene& scene);
+
+}  // namespace lubjoint

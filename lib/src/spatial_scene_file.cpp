@@ -1,0 +1,186 @@
+#include "lubjoint/scene/spatial_scene_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "scene_changes.hpp"
+#include "scene_parts.hpp"
+#include "spatial_constraints.hpp"
+
+namespace lubjoint {
+
+namespace {
+
+Matrix3<double> read_inertia(TableReader& table) {
+  const std::vector<double> j = table.numbers("inertia", {3, 6}, "kg m^2");
+  Matrix3<double> inertia = Matrix3<double>::Zero();
+  for (Eigen::Index k = 0; k < 3; ++k) inertia(k, k) = j[static_cast<std::size_t>(k)];
+  if (j.size() == 6) {
+    inertia(0, 1) = inertia(1, 0) = j[3];
+    inertia(0, 2) = inertia(2, 0) = j[4];
+    inertia(1, 2) = inertia(2, 1) = j[5];
+  }
+  return inertia;
+}
+
+SpatialSceneBody read_spatial_body(TableReader table, const std::vector<SpatialSceneBody>& others) {
+  SpatialSceneBody body;
+  body.name = table.name("name");
+  body.line = table.line();
+  if (body.name == "ground" || is_taken(others, body.name)) {
+    table.refuse("name", in_quotes(body.name), "a name that no other body has; \"ground\" is what never moves");
+  }
+  body.mass = table.number("mass", Allowed::positive, "kg");
+  body.inertia = read_inertia(table);
+  try {
+    static_cast<void>(SpatialBody<double>(body.mass, body.inertia));
+  } catch (const std::invalid_argument& error) {
+    const std::string words = error.what();  // "inertia has …; allowed is …"
+    const std::size_t allowed = words.find("; allowed is ");
+    table.refuse("inertia", "one that " + words.substr(std::string("inertia ").size(), allowed - 8),
+                 words.substr(allowed + 13));
+  }
+  body.position = table.vector3_or("position", body.position, "m");
+  if (table.has("orientation")) body.orientation = read_orientation(table.table("orientation"));
+  body.velocity = table.vector3_or("velocity", body.velocity, "m/s");
+  body.spin = table.vector3_or("spin", body.spin, "rad/s");
+  table.finish();
+  return body;
+}
+
+SceneHarmonic read_spatial_harmonic(TableReader table) {
+  SceneHarmonic harmonic;
+  harmonic.rate = table.number("speed", Allowed::positive, "rad/s");
+  harmonic.phase = table.number_or("phase", 0, Allowed::any, "rad");
+  table.finish();
+  return harmonic;
+}
+
+SpatialSceneLoad read_spatial_load(TableReader table, const SpatialScene& scene) {
+  SpatialSceneLoad load;
+  load.body = read_body_name(table, "body", body_names(scene), false);
+  const bool has_force = !table.has("moment") || table.has("force");
+  if (has_force) load.force = table.vector3("force", "N");
+  load.moment = table.vector3_or("moment", load.moment, "N m");
+  load.point = table.vector3_or("point", load.point, "m");
+  if (!has_force && table.has("point")) table.refuse("point", "given for a moment alone", "none, or a force beside it");
+  const std::string frame = table.text_or("frame", "inertial");
+  if (frame != "inertial" && frame != "body") table.refuse("frame", in_quotes(frame), "\"inertial\" or \"body\"");
+  load.turns_with_body = frame == "body";
+  if (table.has("harmonic")) load.harmonic = read_spatial_harmonic(table.table("harmonic"));
+  table.finish();
+  return load;
+}
+
+SpatialSceneJoint read_spatial_joint(TableReader table, const SpatialScene& scene) {
+  SpatialSceneJoint joint{read_joint_film(table), {}, {}};
+  const bool taken = std::any_of(scene.joints.begin(), scene.joints.end(),
+                                 [&](const auto& other) { return other.plane.name == joint.plane.name; });
+  if (taken) table.refuse("name", in_quotes(joint.plane.name), "a name that no other joint has");
+  joint.bearing = read_axes(table.table("bearing"), scene);
+  TableReader journal = table.table("journal");
+  joint.journal = read_axes_like(journal, scene, joint.bearing);
+  if (joint.bearing.body == joint.journal.body) {
+    table.refuse("journal", "on the same body as the bearing", "another body");
+  }
+  table.finish();
+  return joint;
+}
+
+SpatialSpring<double> read_spatial_spring(TableReader table, const SpatialScene& scene) {
+  SpatialSpring<double> spring{table.name("name"), {}, {}, 0, 0, 0, 0};
+  if (is_taken(scene.springs, spring.name)) {
+    table.refuse("name", in_quotes(spring.name), "a name that no other spring has");
+  }
+  spring.first = read_spatial_point(table.table("first"), scene);
+  spring.second = read_spatial_point(table.table("second"), scene);
+  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
+  spring.stiffness = table.number("stiffness", Allowed::not_negative, "N/m");
+  spring.damping = table.number_or("damping", 0, Allowed::not_negative, "N s/m");
+  spring.preload = table.number_or("preload", 0, Allowed::any, "N");
+  if (spring.stiffness > 0) {
+    spring.free_length = table.number("free_length", Allowed::not_negative, "m");
+  } else if (table.has("free_length")) {
+    table.refuse("free_length", "given where stiffness is 0", "none: a force that does not depend on the length");
+  }
+  if (spring.stiffness == 0 && spring.damping == 0 && spring.preload == 0) {
+    table.refuse("stiffness", "0 in a spring without damping or preload", "a spring that does something");
+  }
+  table.finish();
+  return spring;
+}
+
+/// What scenes in the plane have, and scenes in space have not.
+void refuse_planar_keys(const TableReader& root) {
+  if (root.has("sensors")) root.refuse("sensors", "given in a scene in space", "none: sensors are for the plane");
+}
+
+SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
+  SpatialScene scene;
+  scene.file = file;
+  if (root.number("dimension", Allowed::positive, "-") != 3) {
+    root.refuse("dimension", with_unit(root.number("dimension", Allowed::positive, "-"), ""), "3 in a scene in space");
+  }
+  refuse_planar_keys(root);
+  scene.name = root.name("name");
+  scene.gravity = root.vector3_or("gravity", scene.gravity, "m/s^2");
+  scene.run.duration = read_duration(root);
+  for (const TableReader& table : root.tables("bodies")) {
+    scene.bodies.push_back(read_spatial_body(table, scene.bodies));
+  }
+  if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
+  for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_spatial_load(table, scene));
+  for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_spatial_joint(table, scene));
+  for (const TableReader& table : root.tables("constraints")) {
+    scene.constraints.push_back(read_spatial_constraint(table, scene));
+  }
+  for (const TableReader& table : root.tables("springs")) scene.springs.push_back(read_spatial_spring(table, scene));
+  if (!root.has("joints") && !root.has("constraints")) {  // a file cut off there would run as free flight
+    root.refuse("joints", "missing, and so is constraints",
+                "at least one [[joints]] or [[constraints]] table, or joints = [] for bodies that fly freely");
+  }
+  const std::string redundant = root.text_or("redundant", "refuse");
+  if (redundant != "refuse" && redundant != "allow") {
+    root.refuse("redundant", in_quotes(redundant), "\"refuse\" or \"allow\"");
+  }
+  if (redundant == "allow") scene.redundant = RedundantConstraints::allow;
+  if (root.has("stabilisation")) {
+    scene.stabilisation = read_stabilisation(root.table("stabilisation"));
+    if (scene.stabilisation.passes_singular) {
+      root.refuse("stabilisation", "one that passes singular positions", "singular_positions = \"stop\" in space");
+    }
+  }
+  scene.run.output_interval = scene.run.duration / 1000;
+  if (root.has("integrator")) read_integrator(root.table("integrator"), scene.integrator, scene.run);
+  if (root.has("output")) scene.energy_ledger = read_output(root.table("output"), scene.run);
+  root.finish();
+  return scene;
+}
+
+}  // namespace
+
+int scene_dimension(const SceneFile& file) {
+  const toml::table table = parse_scene_text(file.text(), file.name());
+  return table["dimension"].value_or(2.0) == 3 ? 3 : 2;
+}
+
+SpatialScene spatial_scene(const SceneFile& file, const std::vector<SceneChange>& changes) {
+  toml::table table = parse_scene_text(file.text(), file.name());
+  for (const SceneChange& change : changes) change_value(table, change, file.name());
+  return read_spatial_scene(TableReader(table, file.name(), ""), file.name());
+}
+
+std::size_t ledger_works(const SpatialScene& scene) {
+  const bool damped =
+      std::any_of(scene.springs.begin(), scene.springs.end(), [](const auto& s) { return s.damping != 0; });
+  return damped ? ledger_names.size() : ledger_terms;
+}
+
+SpatialFrame<double> frame_at_start(const SpatialScene& scene, std::size_t body) {
+  if (body == ground_body) return SpatialFrame<double>(spatial_ground_motion<double>());
+  const SpatialSceneBody& b = scene.bodies[body];
+  return SpatialFrame<double>(SpatialMotion<double>{b.position, b.orientation, b.velocity, b.spin});
+}
+
+}  // namespace lubjoint

@@ -1,0 +1,74 @@
+#include <chrono>
+
+#include "lubjoint/motion/spatial_run.hpp"
+#include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/scene/spatial_simulate.hpp"
+#include "pilot_run.hpp"
+
+namespace lubjoint {
+
+namespace {
+
+ConstraintUpkeep upkeep_of(const SpatialScene& scene) {
+  return scene.stabilisation.projection ? ConstraintUpkeep::by_projection : ConstraintUpkeep::by_accelerations;
+}
+
+std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& name, const RunSettings& run,
+                                                             const std::vector<double>& tolerances) {
+  return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance});
+}
+
+detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const PreparedSpatialScene& prepared) {
+  SpatialScene pilot_scene = scene;
+  pilot_scene.run = detail::pilot_settings(scene.run);
+  pilot_scene.energy_ledger = false;
+  const std::vector<double> tolerances = scene_tolerances(pilot_scene);
+  SpatialOde<double> ode(prepared.system, false);
+  SpatialRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances), upkeep_of(scene),
+                           scene_units(scene).mechanism);
+  return detail::measure_by_pilot(pilot, ode, prepared.start, pilot_scene.run, tolerances, scene.joints.empty());
+}
+
+}  // namespace
+
+SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
+  const PreparedSpatialScene prepared = prepare_spatial(scene);
+  SpatialTrajectory result;
+  const auto begin = std::chrono::steady_clock::now();
+  detail::IntegratorChoice choice{scene.integrator, ""};
+  if (scene.integrator == automatic_integrator) {
+    choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
+  }
+  SpatialOde<double> ode(prepared.system, scene.energy_ledger);
+  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances(scene)), upkeep_of(scene),
+                         scene_units(scene).mechanism);
+  result.outcome = run.run(prepared.start);
+  const auto end = std::chrono::steady_clock::now();
+  result.wall_seconds = std::chrono::duration<double>(end - begin).count();
+  result.outcome.integrator = choice.name;
+  result.outcome.integrator_reason = choice.reason;
+  result.correction = prepared.found.correction;
+  result.rows = prepared.system.constraint_rows();
+  result.rank = prepared.found.rank;
+  const auto& constraints = prepared.system.constraints();
+  for (const std::size_t row : prepared.found.left_out) {
+    result.left_out.push_back(constraints[prepared.system.constraint_of(row)].name);
+  }
+  for (const auto& constraint : constraints) {
+    if (!constraint.is_driver()) continue;
+    result.driver_names.push_back(constraint.name);
+    result.driver_turns.push_back(std::holds_alternative<RotationalDriver<double>>(constraint.constraint));
+  }
+  const SpatialRecorder<double>& recorder = run.recorder();
+  result.samples = recorder.samples();
+  result.joints = recorder.joint_extremes();
+  result.drivers = recorder.driver_extremes();
+  result.reactions = recorder.reaction_extremes();
+  result.events = run.events();
+  result.drift = run.drift();
+  if (scene.energy_ledger) result.energy_residual = recorder.energy_residual();
+  result.energy_scale = recorder.energy_scale();
+  return result;
+}
+
+}  // namespace lubjoint
