@@ -127,7 +127,7 @@ class FreeRigidBody {
       const double second = j_[m_] * w[m_] * w[m_];
       return momentum * (first + second) / (j_[d_] * first + j_[m_] * second);
     };
-    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(rate, from, to, 8, 1e-14);
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(rate, from, to, 8, 1e-12);
   }
 
   Vector j_;

@@ -124,7 +124,7 @@ class HeavyTopMotion {
   template <class F>
   static R integral(const F& f, const R& to) {
     if (to == 0) return R(0);
-    return boost::math::quadrature::gauss_kronrod<R, 61>::integrate(f, R(0), to, 8, R(1) / 100000000000000LL);
+    return boost::math::quadrature::gauss_kronrod<R, 61>::integrate(f, R(0), to, 8, R(1) / 1000000000000LL);
   }
 
   R u0_;

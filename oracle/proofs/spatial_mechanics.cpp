@@ -236,6 +236,10 @@ void closed_joints(Proof& proof) {
   const GiNaC::exmap coincide{{cos(y.theta), 1}, {sin(y.theta), 0}};
   const auto held = [&](const Spatial& a, const Spatial& b) { return y.axes(a, b).subs(coincide); };
   proof.equal(y.algebra, held(unit_x, y.t2_j), -y.w.z);
+  // Spherical, and across the axis of the cylindrical: d; along it, planar: n_i·d.
+  proof.equal(y.algebra, y.across(unit_x), y.v.x);
+  proof.equal(y.algebra, y.across(unit_y), y.v.y);
+  proof.equal(y.algebra, y.across(unit_z), y.v.z);
   // Fixed: t₁i·t₂j, t₂i·n_j, n_i·t₁j.
   proof.equal(y.algebra, held(unit_y, y.n_j), -y.w.x);
   proof.equal(y.algebra, held(unit_z, y.t1_j), -y.w.y);
@@ -288,7 +292,7 @@ std::vector<Statement> spatial_mechanics_statements() {
   all.push_back({constraints, "rotational driver: its angle turns about n where the axes coincide", "eq. 40", holds,
                  driver_in_place});
   all.push_back({constraints, "closed joints: each row is one component of the relative motion", "section 6", holds,
-                 closed_joints, "fixed, universal, revolute, cylindrical, prismatic"});
+                 closed_joints, "fixed, universal, revolute, cylindrical, prismatic, planar"});
   all.push_back(
       {constraints, "in the plane: the planar joint's gamma, and A is the plane's turn", "eq. 40", holds, plane});
   all.push_back(
