@@ -92,5 +92,7 @@ std::vector<Statement> coefficient_statements();
 std::vector<Statement> squeeze_statements();
 std::vector<Statement> potential_statements();
 std::vector<Statement> mobility_statements();
+std::vector<Statement> spatial_mechanics_statements();
+std::vector<Statement> spatial_joint_statements();
 
 }  // namespace lubjoint::proofs
