@@ -156,9 +156,10 @@ TEST_CASE("Scene: an unknown key is refused, and the nearest known one named") {
     CHECK_THAT(*message, Contains(std::to_string(field.line)));
     CHECK_THAT(*message, Contains("required is") || Contains("allowed are"));
   }
-  check_refused(journal_text().replaced(journal_text().field("gravity"), "colour = 1"), 6,
-                {"unknown key colour; allowed are name, gravity, duration, bodies, loads, joints, constraints, "
-                 "springs, sensors, integrator, output"});
+  check_refused(
+      journal_text().replaced(journal_text().field("gravity"), "colour = 1"), 6,
+      {"unknown key colour; allowed are dimension, name, gravity, duration, bodies, loads, joints, constraints, "
+       "springs, sensors, integrator, output"});
 }
 
 TEST_CASE("Scene: a law or an integrator that is not there is refused with the list and the nearest") {
