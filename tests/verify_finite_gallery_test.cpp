@@ -126,9 +126,9 @@ TEST_CASE("verify, finite films: two mistakes together are named, and a law in t
 }
 
 TEST_CASE("verify, finite films: a solver on a grid, written without the gallery in mind, and what it does wrong") {
-  const auto judged = [](const std::string& law, const std::string& mode, const std::string& more = "") {
-    return shell("\"$LUBJOINT\" verify --law " + law + " --tolerance 1e-2 --json " + more +
-                 " -- python3 $EXAMPLES/../programs/finite.py " + mode);
+  const auto judged = [](const std::string& law, const std::string& mode) {
+    return lubjoint_program({"verify", "--law", law, "--tolerance", "1e-2", "--json", "--", "python3",
+                             LUBJOINT_SOURCE_DIR "/tests/programs/finite.py", mode});
   };
   const auto first = [](const ProgramResult& result) {
     const auto json = nlohmann::json::parse(result.out);
