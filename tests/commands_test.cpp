@@ -300,6 +300,6 @@ TEST_CASE("simulate: every scene that ships runs to its end") {
     CHECK_THAT(result.out, Catch::Contains("\"status\": \"finished\""));
     ++scenes;
   }
-  // As many as the README and the command line promise, the published problems, and machines.
-  CHECK(scenes == 10 + 4 + 3);
+  // As many as the README and the command line promise, the published problems, machines, and scenes in space.
+  CHECK(scenes == 10 + 4 + 3 + 7);
 }

@@ -55,8 +55,7 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
   RunSettings settings = scene.run;
   settings.knots = scene_knots(scene);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();
-  MultibodyRun<double> run(ode, settings,
-                           method_of(choice.name, scene.run, scene_tolerances<double>(scene), integrals),
+  MultibodyRun<double> run(ode, settings, method_of(choice.name, scene.run, scene_tolerances<double>(scene), integrals),
                            upkeep_of(scene), options_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
