@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/mechanisms/andrews.hpp"
@@ -163,6 +164,27 @@ TEST_CASE("benchmark: a wrong mechanism, a coarse run and one that stops do not 
   CHECK(unknown.status == 2);
   CHECK_THAT(unknown.err, Contains("the problem is \"andrew\"; allowed is") && Contains("andrews"));
   CHECK(lubjoint_program({"benchmark", "--rtol", "2"}).status == 2);
+}
+
+TEST_CASE("benchmark: Andrews' work-precision line: errors fall with the tolerance, down to the published digits") {
+  const ProgramResult result = lubjoint_program({"benchmark", "andrews", "--work-precision", "--json"});
+  CHECK(result.status == 0);
+  const auto points = nlohmann::json::parse(result.out);
+  REQUIRE(points.size() == 5 * method_names().size());
+  std::size_t lines = 0;
+  for (std::size_t i = 0; i < points.size(); i += 5) {
+    INFO(points[i].dump());
+    CHECK(points[i]["tolerance"] == 1e-4);
+    if (!points[i]["error"].is_number() || !points[i + 3]["error"].is_number())
+      continue;  // it stopped, and says nothing
+    ++lines;
+    // 3e-9: what is wrong of the published angles, twice.
+    CHECK(points[i + 3]["error"].get<double>() < 1e-3 * points[i]["error"].get<double>() + 3e-9);
+    CHECK(points[i + 3]["steps"] > points[i]["steps"]);
+  }
+  CHECK(lines >= 4);                   // radau_iia5, rosenbrock4, dopri5, fehlberg78
+  CHECK(points[4]["error"] < 1.5e-9);  // radau_iia5 at 1e-12: what is wrong of the published angles
+  CHECK(lubjoint_program({"benchmark", "andrews", "--work-precision", "--rtol", "1e-6"}).status == 2);
 }
 
 TEST_CASE("singular positions: a run that passes them says so, at every tolerance on the right branch or by a stop") {

@@ -13,6 +13,7 @@ void add_benchmark(CLI::App& app, Action& action) {
     std::vector<std::string> names;
     std::optional<double> rtol;
     bool json = false;
+    bool work_precision = false;
   };
   auto options = std::make_shared<BenchmarkOptions>();
   CLI::App* command = app.add_subcommand(
@@ -20,7 +21,12 @@ void add_benchmark(CLI::App& app, Action& action) {
       "Mechanisms that others have published: difference from their numbers, run time, energy drift;\n"
       "exit 1 if any disagrees");
   command->add_option("names", options->names, "Problems; none: all of them");
-  command->add_option("--rtol", options->rtol, "Relative and absolute tolerance in place of the scenes'");
+  CLI::Option* rtol =
+      command->add_option("--rtol", options->rtol, "Relative and absolute tolerance in place of the scenes'");
+  command
+      ->add_flag("--work-precision", options->work_precision,
+                 "Error against run time instead: every integrator at tolerances from 1e-4 to 1e-12")
+      ->excludes(rtol);
   command->add_flag("--json", options->json, "One JSON array");
   command->callback([options, &action] {
     action = [options] {
@@ -32,9 +38,20 @@ void add_benchmark(CLI::App& app, Action& action) {
         require_option("--rtol", *options->rtol, *options->rtol >= 1e-14 && *options->rtol < 1,
                        "a number from 1e-14 to below 1");
       }
+      const std::vector<std::string>& names = options->names.empty() ? known : options->names;
+      if (options->work_precision) {
+        std::vector<reports::WorkPrecision> points;
+        for (const std::string& name : names) {
+          for (reports::WorkPrecision& point : reports::work_precision(name, literature, scenes))
+            points.push_back(std::move(point));
+        }
+        std::cout << (options->json ? reports::work_precision_json(points).dump(2) + "\n"
+                                    : reports::work_precision_text(points));
+        return 0;
+      }
       std::vector<reports::BenchmarkRun> runs;
       bool agree = true;
-      for (const std::string& name : options->names.empty() ? known : options->names) {
+      for (const std::string& name : names) {
         runs.push_back(reports::run_benchmark(name, literature, scenes, options->rtol));
         agree = agree && runs.back().agrees();
       }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "lubjoint/scene/trajectory_table.hpp"
@@ -79,8 +80,11 @@ std::vector<std::string> benchmark_names(const std::filesystem::path& literature
 }
 
 BenchmarkRun run_benchmark(const std::string& name, const std::filesystem::path& literature,
-                           const std::filesystem::path& scenes, const std::optional<double>& tolerance) {
+                           const std::filesystem::path& scenes, const std::optional<double>& tolerance,
+                           const std::string& integrator, const std::optional<std::size_t>& max_steps) {
   Scene scene = load_scene(scenes / (name + ".toml"));
+  if (!integrator.empty()) scene.integrator = integrator;
+  if (max_steps) scene.run.max_steps = *max_steps;
   if (tolerance) scene.run.relative_tolerance = scene.run.absolute_tolerance = *tolerance;
   const MultibodyTrajectory run = simulate_multibody(scene);
   BenchmarkRun result;
@@ -102,6 +106,49 @@ BenchmarkRun run_benchmark(const std::string& name, const std::filesystem::path&
     }
   }
   return result;
+}
+
+std::vector<WorkPrecision> work_precision(const std::string& name, const std::filesystem::path& literature,
+                                          const std::filesystem::path& scenes) {
+  std::vector<WorkPrecision> points;
+  for (const std::string_view integrator : method_names()) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+      const BenchmarkRun run = run_benchmark(name, literature, scenes, tolerance, std::string(integrator), 100'000);
+      WorkPrecision point{name, run.integrator, tolerance, std::nullopt, run.seconds, run.steps};
+      if (run.message.empty()) {
+        point.error = 0;
+        for (const BenchmarkRow& row : run.rows) {
+          if (row.quantity == residual_name) continue;
+          if (const auto difference = row.difference()) point.error = std::max(*point.error, std::abs(*difference));
+        }
+      }
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+std::string work_precision_text(const std::vector<WorkPrecision>& points) {
+  std::string text = fmt::format("{:<16} {:<24} {:>9} {:>9} {:>10} {:>8}\n", "problem", "integrator", "tolerance",
+                                 "error", "time [s]", "steps");
+  for (const WorkPrecision& point : points) {
+    text += fmt::format("{:<16} {:<24} {:>9.0e} {:>9} {:>10.2e} {:>8}\n", point.name, point.integrator, point.tolerance,
+                        shown(point.error, "{:.1e}"), point.seconds, point.steps);
+  }
+  return text;
+}
+
+nlohmann::ordered_json work_precision_json(const std::vector<WorkPrecision>& points) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const WorkPrecision& point : points) {
+    list.push_back({{"name", point.name},
+                    {"integrator", point.integrator},
+                    {"tolerance", point.tolerance},
+                    {"error", point.error ? nlohmann::ordered_json(*point.error) : nlohmann::ordered_json(nullptr)},
+                    {"seconds", point.seconds},
+                    {"steps", point.steps}});
+  }
+  return list;
 }
 
 nlohmann::ordered_json benchmark_json(const std::vector<BenchmarkRun>& runs) {

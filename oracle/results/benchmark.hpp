@@ -43,10 +43,34 @@ std::vector<std::string> benchmark_names(const std::filesystem::path& literature
 
 /// Runs a published problem.
 /// @param literature  benchmarks.csv;  @param scenes  folder of its scenes
-/// @param tolerance  relative and absolute, in place of the scene's
+/// @param tolerance  relative and absolute, in place of the scene's;  @param integrator  likewise; empty: the scene's
+/// @param max_steps  likewise
 /// @throws CsvError, SceneError; std::invalid_argument for a quantity that the trajectory does not have
 BenchmarkRun run_benchmark(const std::string& name, const std::filesystem::path& literature,
-                           const std::filesystem::path& scenes, const std::optional<double>& tolerance);
+                           const std::filesystem::path& scenes, const std::optional<double>& tolerance,
+                           const std::string& integrator = "",
+                           const std::optional<std::size_t>& max_steps = std::nullopt);
+
+/// A point of a work-precision line: what an error costs.
+struct WorkPrecision {
+  std::string name;             ///< of the problem
+  std::string integrator;       ///< that ran it
+  double tolerance = 0;         ///< relative and absolute
+  std::optional<double> error;  ///< largest |difference| from a published number [m or rad]; none if the run stopped
+  double seconds = 0;           ///< that the run took
+  std::size_t steps = 0;        ///< accepted
+};
+
+/// A problem by every integrator at tolerances from 1e-4 to 1e-12, in at most 100,000 steps each. Errors end at the
+/// published digits' own.
+/// @throws as run_benchmark does
+std::vector<WorkPrecision> work_precision(const std::string& name, const std::filesystem::path& literature,
+                                          const std::filesystem::path& scenes);
+
+/// A row for each point.
+std::string work_precision_text(const std::vector<WorkPrecision>& points);
+/// An array of name, integrator, tolerance, error, seconds, steps.
+nlohmann::ordered_json work_precision_json(const std::vector<WorkPrecision>& points);
 
 /// An array of name, quantity, t, published, computed, difference, allowed, agrees, seconds, integrator, energy_drift.
 nlohmann::ordered_json benchmark_json(const std::vector<BenchmarkRun>& runs);

@@ -9,6 +9,7 @@
 /// y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -80,7 +81,8 @@ class MasslessMode {
 /// run.
 /// @param mean_spin  ω̄ [rad/s]
 inline double wrong_side(const FilmState<double>& film, double mean_spin) {
-  return is_zero(film.velocity) ? 1 : (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000;
+  constexpr double most = 0.01;  // of a journal that hardly moves in its bearing
+  return is_zero(film.velocity) ? most : std::min(most, (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000);
 }
 
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.

@@ -202,20 +202,25 @@ class JournalRun : public ModeRuns {
     return Phase::mirrored;
   }
 
-  Phase first_phase() const {
+  /// Sine of the angle between ê and u, above 0 where a < 0; 0 where either is zero. Of unit vectors: a product of
+  /// lengths may underflow.
+  double sine() const {
     const FilmState<double> film = journal_.film(y_);
-    const double turning = cross(film.eccentricity, film.velocity);
+    if (is_zero(film.eccentricity) || is_zero(film.velocity)) return 0;
+    return cross(direction(film.eccentricity), direction(film.velocity));
+  }
+
+  Phase first_phase() const {
+    const double turning = sine();
     if (turning == 0) return decide_on_the_jump();
     return turning > 0 ? Phase::mirrored : Phase::converging;
   }
 
   /// Where the journal is off a = 0 beyond any error, to which a step of loose tolerance may bring it.
   std::optional<Phase> side_off_the_jump() const {
-    const FilmState<double> film = journal_.film(y_);
-    if (is_zero(film.eccentricity) || is_zero(film.velocity)) return std::nullopt;
-    const double sine = cross(direction(film.eccentricity), direction(film.velocity));
-    if (std::abs(sine) <= wrong_side(film, journal_.drive().mean_spin())) return std::nullopt;
-    return sine > 0 ? Phase::mirrored : Phase::converging;
+    const double off = sine();
+    if (std::abs(off) <= wrong_side(journal_.film(y_), journal_.drive().mean_spin())) return std::nullopt;
+    return off > 0 ? Phase::mirrored : Phase::converging;
   }
 
   /// Is a rounding of w worth more of the film's force than the load? No velocity in double precision balances it then.
@@ -229,7 +234,7 @@ class JournalRun : public ModeRuns {
 
   void run_half_film() {
     Phase phase = first_phase();
-    bool from_jump = cross(journal_.film(y_).eccentricity, journal_.film(y_).velocity) == 0;
+    bool from_jump = sine() == 0;
     bool started = false;
     double last_event = -1;
     int events_without_progress = 0;
