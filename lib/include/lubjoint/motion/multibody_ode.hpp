@@ -41,6 +41,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
   /// Leaves out of the count what was evaluated since it was at n: looks at a run are none of its cost.
   void count_from(std::size_t n) { evaluations_ = n; }
+  void count_evaluation() { ++evaluations_; }
 
   /// Memories of the joints; empty where nothing can touch and no film jumps.
   std::vector<JointMemory<R>>& memory() { return memory_; }
@@ -82,7 +83,6 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
     return sum;
   }
 
- private:
   template <class T, class Time>
   void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
     system_.evaluate(t, y.data(), memory_, w);
@@ -131,6 +131,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
     }
   }
 
+ private:
   const PlanarSystem<R>& system_;
   bool with_ledger_;
   bool has_contact_ = false;
