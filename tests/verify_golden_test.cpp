@@ -65,6 +65,29 @@ TEST_CASE("verify: the certified answers of the golden states are those of its o
   }
 }
 
+TEST_CASE("verify: stiffness and damping under a load are certified, and those of its own work") {
+  const std::vector<State> states = golden_states(Quantities::coefficients, golden_folder());
+  CHECK(states.size() == 18);  // three bearings, three loads, both senses of the spin
+  for (std::size_t law = 0; law < law_count; ++law) {
+    if (law_facts(name_of(Law{law})).squeeze_only) continue;  // rests nowhere
+    for (const State& state : states) {
+      const auto& row = state.golden->row[law];
+      REQUIRE(row);
+      const Reference reference = references(Quantities::coefficients, Law{law}, {state})[0];
+      const Solution own = solve(Quantities::coefficients, Law{law}, state);
+      INFO(name_of(Law{law}) << ", line " << row->line);
+      CHECK(reference.golden == &*row);
+      for (std::size_t k = 0; k < answer_columns(Quantities::coefficients).size(); ++k) {
+        CHECK(reference.expected[k] == row->answer[k]);
+        const double error = static_cast<double>(std::abs(row->answer[k] - own.answer[k]));
+        INFO(answer_columns(Quantities::coefficients)[k] << " " << error / reference.sensitivity[k]);
+        // Rounding of long double, a few times the state's conditioning: a root and a quadrature lie between.
+        CHECK(error <= 0x1p-60 * reference.sensitivity[k]);
+      }
+    }
+  }
+}
+
 TEST_CASE("verify: most golden rows are asked about, and each as the table says it") {
   const GoldenTable forces("film_force.csv");
   const std::vector<State> polar = golden_states(Quantities::polar, golden_folder());

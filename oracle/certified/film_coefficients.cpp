@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "oracle/certified/equilibrium.hpp"
 #include "oracle/certified/film_integrals.hpp"
 
 namespace lubjoint::certified {
@@ -176,8 +178,10 @@ CoefficientBalls coefficients_by_quadrature(Law law, const Ball& epsilon) {
   return slopes.coefficients(epsilon);
 }
 
-SteadyBalls steady_state(const LawEntry& law, const SteadyState& state) {
-  const Ball e(state.epsilon);
+namespace {
+
+/// At an ε that may itself be enclosed; that of the state is not read.
+SteadyBalls steady_state_at(const LawEntry& law, const SteadyState& state, const Ball& e) {
   const Ball spin = abs(Ball(state.omega));
   const int sign = state.omega < 0 ? -1 : 1;
   const PolarBalls f = force_ratio(law.law, {e, sign * e, Ball(0)});
@@ -218,6 +222,29 @@ SteadyBalls steady_state(const LawEntry& law, const SteadyState& state) {
           kappa,
           whirl,
           kappa / whirl * (c_unit / spin)};
+}
+
+}  // namespace
+
+SteadyBalls steady_state(const LawEntry& law, const SteadyState& state) {
+  return steady_state_at(law, state, Ball(state.epsilon));
+}
+
+Ball loaded_ratio(const LawEntry& law, const LoadedJournal& j) {
+  return equilibrium(law, {j.viscosity, j.length, j.radius, j.clearance, j.omega, 0, -j.load}).eccentricity_ratio;
+}
+
+SteadyBalls loaded_state(const LawEntry& law, const LoadedJournal& j, const Ball& epsilon) {
+  SteadyBalls b = steady_state_at(law, {j.viscosity, j.length, j.radius, j.clearance, 0, j.omega}, epsilon);
+  const auto turn = [](Ball& xx, Ball& xy, Ball& yx, Ball& yy) {
+    std::swap(xx, yy);
+    std::swap(xy, yx);
+    xy = -xy;
+    yx = -yx;
+  };
+  turn(b.kxx, b.kxy, b.kyx, b.kyy);
+  turn(b.cxx, b.cxy, b.cyx, b.cyy);
+  return b;
 }
 
 }  // namespace lubjoint::certified

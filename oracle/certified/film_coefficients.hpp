@@ -34,4 +34,17 @@ struct SteadyBalls {
 };
 SteadyBalls steady_state(const LawEntry& law, const SteadyState& state);
 
+/// A journal under a load in a bearing at rest.
+struct LoadedJournal {
+  double viscosity, length, radius, clearance;
+  double omega;  ///< of the journal, not 0 [rad/s]
+  double load;   ///< along −y, above 0 [N]
+};
+
+/// ε of such a journal: the enclosed root of equilibrium.hpp.
+Ball loaded_ratio(const LawEntry& law, const LoadedJournal& journal);
+
+/// The same at that ε, in inertial axes: x is the y of the load's frame, and y minus its x.
+SteadyBalls loaded_state(const LawEntry& law, const LoadedJournal& journal, const Ball& epsilon);
+
 }  // namespace lubjoint::certified

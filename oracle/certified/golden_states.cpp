@@ -151,4 +151,17 @@ std::vector<EquilibriumState> equilibrium_states() {
   return states;
 }
 
+std::vector<LoadedJournal> loaded_journals() {
+  std::vector<LoadedJournal> journals;
+  for (const BearingValues& values : bearings) {
+    const auto& [viscosity, length, radius, clearance] = values;
+    for (const double load : {0.01, 31.2753, 1e4}) {
+      for (const double omega : {52.35987755982989, -400.0}) {
+        journals.push_back({viscosity, length, radius, clearance, omega, load});
+      }
+    }
+  }
+  return journals;
+}
+
 }  // namespace lubjoint::certified

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/certified/equilibrium.hpp"
+#include "oracle/certified/film_coefficients.hpp"
 #include "oracle/certified/joint_forces.hpp"
 
 namespace lubjoint::certified {
@@ -54,5 +55,8 @@ struct TransitionState {
 std::vector<TransitionState> transition_states();
 
 std::vector<EquilibriumState> equilibrium_states();
+
+/// Light, moderate and heavy loads, both senses of the spin.
+std::vector<LoadedJournal> loaded_journals();
 
 }  // namespace lubjoint::certified

@@ -28,7 +28,7 @@ std::string golden_header(std::string_view inputs, const std::vector<std::string
 std::vector<GoldenTable> golden_tables() {
   return {film_force_table(),  film_extent_table(), film_pressure_table(),     joint_wrench_table(),
           transition_table(),  dry_contact_table(), contact_stiffness_table(), exit_speed_table(),
-          equilibrium_table(), film_losses_table(), coefficients_table()};
+          equilibrium_table(), film_losses_table(), coefficients_table(),      loaded_coefficients_table()};
 }
 
 }  // namespace lubjoint::certified

@@ -49,5 +49,6 @@ GoldenTable exit_speed_table();
 GoldenTable equilibrium_table();
 GoldenTable film_losses_table();
 GoldenTable coefficients_table();
+GoldenTable loaded_coefficients_table();
 
 }  // namespace lubjoint::certified

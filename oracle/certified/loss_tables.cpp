@@ -127,4 +127,29 @@ GoldenTable coefficients_table() {
           laws_at_rest * states.size(), row};
 }
 
+GoldenTable loaded_coefficients_table() {
+  const std::vector<LoadedJournal> journals = loaded_journals();
+  const auto row = [journals](std::size_t number) {
+    const LawEntry& law = laws[number / journals.size()];
+    const LoadedJournal& journal = journals[number % journals.size()];
+    if (law.has_pressure) {
+      require_overlap([&] { return in_order(coefficients(law.law, loaded_ratio(law, journal))); },
+                      [&] { return in_order(coefficients_by_quadrature(law.law, loaded_ratio(law, journal))); },
+                      "coefficients of " + std::string(law.name) + " under " + reports::number(journal.load) + " N");
+    }
+    const auto rest = certify([&] {
+      const Ball epsilon = loaded_ratio(law, journal);
+      const SteadyBalls b = loaded_state(law, journal, epsilon);
+      return std::vector<Ball>{epsilon, b.attitude, b.kxx, b.kxy, b.kyx, b.kyy, b.cxx, b.cxy, b.cyx, b.cyy};
+    });
+    RowText text;
+    text.add(law.name).add(journal.viscosity).add(journal.length).add(journal.radius).add(journal.clearance);
+    return text.add(journal.omega).add(journal.load).add(rest).take();
+  };
+  return {"loaded_coefficients.csv",
+          golden_header("law,viscosity,length,radius,clearance,omega,load",
+                        {"eccentricity_ratio", "attitude", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"}),
+          laws_at_rest * journals.size(), row};
+}
+
 }  // namespace lubjoint::certified

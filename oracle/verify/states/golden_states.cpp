@@ -37,6 +37,7 @@ Source source_of(Quantities quantities) {
     case Quantities::equilibrium:
       return {"equilibrium.csv", "law"};
     case Quantities::coefficients:
+      return {"loaded_coefficients.csv", "law"};
     case Quantities::cartesian:
     case Quantities::wrench:
     case Quantities::dimensionless:
@@ -156,7 +157,8 @@ class GoldenReader {
       return inputs;
     }
     for (const StateColumn& column : state_columns(quantities_)) {
-      if (column.name == "omega" || column.name == "attitude_rate") continue;  // the table has the slip rate
+      const bool is_rate = column.name == "omega" || column.name == "attitude_rate";
+      if (is_rate && is_polar(quantities_)) continue;  // the table has the slip rate
       if (quantities_ == Quantities::extent && column.name == "eccentricity_ratio") continue;
       fill(column.name, column.value);
     }
@@ -201,7 +203,6 @@ class GoldenReader {
 
 std::vector<State> golden_states(Quantities quantities, const std::filesystem::path& folder) {
   if (quantities == Quantities::dimensionless) return {};  // a table's numbers are exact in SI units
-  if (quantities == Quantities::coefficients) return {};   // the tables say K and C at an ε, not under a load
   try {
     return GoldenReader(quantities, folder).states();
   } catch (const reports::CsvError& error) {
