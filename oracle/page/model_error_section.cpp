@@ -105,19 +105,20 @@ std::string real_films_tables(const std::optional<RealFilms>& films) {
                  fmt::format("{:.2f}", degrees * item.rest.attitude),
                  fmt::format("{:.4f}", item.run.max_eccentricity_ratio), fmt::format("{:.3f}", item.run.max_force)});
   }
-  Table crank("Example 2 with it, c = 0.2 mm, 0.4 Pa·s: extremes of both revolutions", {{"film", {}, false},
-                                                                                        {"verdict", {}, false},
-                                                                                        {"largest ε", "–"},
-                                                                                        {"least film", "µm"},
-                                                                                        {"largest force", "N"},
-                                                                                        {"largest moment", "N·m"},
-                                                                                        {"least moment", "N·m"}});
+  Table crank("Example 2 with it: extremes of both revolutions", {{"film", {}, false},
+                                                                  {"clearance, viscosity", {}, false},
+                                                                  {"verdict", {}, false},
+                                                                  {"largest ε", "–"},
+                                                                  {"least film", "µm"},
+                                                                  {"largest force", "N"},
+                                                                  {"largest moment", "N·m"},
+                                                                  {"least moment", "N·m"}});
   for (const RealFilmCrank& item : films->crank) {
     const double clearance = item.scene.joints.front().clearance;
     const double farthest = item.run.joints.front().eccentricity.value;
     const DriverExtremes& moment = item.run.drivers.front();
-    crank.row({item.scene.joints.front().film, agreement(item.verdict), fmt::format("{:.4f}", farthest / clearance),
-               fmt::format("{:.3f}", 1e6 * (clearance - farthest)),
+    crank.row({item.scene.joints.front().film, pair_of(item.scene.joints.front()), agreement(item.verdict),
+               fmt::format("{:.4f}", farthest / clearance), fmt::format("{:.3f}", 1e6 * (clearance - farthest)),
                fmt::format("{:.2f}", item.run.joints.front().force.value),
                fmt::format("{:.3f}", moment.max_moment.value), fmt::format("{:.3f}", moment.min_moment.value)});
   }

@@ -139,21 +139,29 @@ bool RealFilms::passed() const {
 
 RealFilms run_real_films(const std::filesystem::path& scenes, SceneFilms& films) {
   const Scene journal = load_scene(scenes / "journal.toml");
-  Scene crank = load_scene(scenes / "slider-crank.toml");
-  crank.energy_ledger = true;
+  std::vector<Scene> cranks;
+  for (const char* file : slider_crank_pairs) {
+    cranks.push_back(load_scene(scenes / file));
+    cranks.back().energy_ledger = true;
+  }
   constexpr auto& laws = names_of_laws<CompiledLaws>;
   RealFilms result;
   result.journal.resize(laws.size());
-  result.crank.resize(laws.size());
-  run_parallel(2 * laws.size(), available_cores(), [&](std::size_t i) {
-    const std::string_view law = laws[i / 2];
-    if (i % 2 == 0) {
-      result.journal[i / 2] = run_journal(prepared(journal, law, films));
+  result.crank.resize(laws.size() * cranks.size());
+  run_parallel(laws.size() * (1 + cranks.size()), available_cores(), [&](std::size_t i) {
+    const std::string_view law = laws[i % laws.size()];
+    if (i < laws.size()) {
+      result.journal[i] = run_journal(prepared(journal, law, films));
     } else {
-      result.crank[i / 2] = run_crank(prepared(crank, law, films));
+      const std::size_t at = i - laws.size();
+      result.crank[at] = run_crank(prepared(cranks[at / laws.size()], law, films));
     }
   });
   return result;
+}
+
+std::string pair_of(const SceneJoint& joint) {
+  return fmt::format("{:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity);
 }
 
 std::string real_films_table(const RealFilms& films) {
@@ -167,14 +175,17 @@ std::string real_films_table(const RealFilms& films) {
                         item.run.max_force, item.verdict.in_letters());
   }
   text += check_legend(films.journal_verdicts());
-  text += "\nexample 2        largest e/c  least film [um]  largest force [N]  moment [N m]         verdict\n";
+  text +=
+      "\nexample 2                          largest e/c  least film [um]  largest force [N]  moment [N m]         "
+      "verdict\n";
   for (const RealFilmCrank& item : films.crank) {
     const double clearance = item.scene.joints[0].clearance;
     const double farthest = item.run.joints[0].eccentricity.value;
     const DriverExtremes& moment = item.run.drivers[0];
-    text += fmt::format("{:<16}{:12.4f}{:17.3f}{:19.2f}{:9.3f} to {:<8.3f}  {}\n", item.scene.joints[0].film,
-                        farthest / clearance, 1e6 * (clearance - farthest), item.run.joints[0].force.value,
-                        moment.min_moment.value, moment.max_moment.value, item.verdict.in_letters());
+    text += fmt::format("{:<16}  {:<16}{:12.4f}{:17.3f}{:19.2f}{:9.3f} to {:<8.3f}  {}\n", item.scene.joints[0].film,
+                        pair_of(item.scene.joints[0]), farthest / clearance, 1e6 * (clearance - farthest),
+                        item.run.joints[0].force.value, moment.min_moment.value, moment.max_moment.value,
+                        item.verdict.in_letters());
   }
   return text + check_legend(films.crank_verdicts());
 }
