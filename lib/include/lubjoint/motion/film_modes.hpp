@@ -81,8 +81,7 @@ class MasslessMode {
 /// run.
 /// @param mean_spin  ω̄ [rad/s]
 inline double wrong_side(const FilmState<double>& film, double mean_spin) {
-  constexpr double most = 0.01;  // of a journal that hardly moves in its bearing
-  return is_zero(film.velocity) ? most : std::min(most, (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000);
+  return is_zero(film.velocity) ? 1 : (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000;
 }
 
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
