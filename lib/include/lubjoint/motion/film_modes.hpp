@@ -9,10 +9,10 @@
 /// y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "lubjoint/motion/jump_side.hpp"
 #include "lubjoint/multibody/massless_journal.hpp"
 
 namespace lubjoint {
@@ -77,13 +77,6 @@ class MasslessMode {
   const MasslessJournal<Law>& journal_;
 };
 
-/// Sine of the angle between ê and u beyond which a state is on the other side of a = 0, whatever the errors of its
-/// run.
-/// @param mean_spin  ω̄ [rad/s]
-inline double wrong_side(const FilmState<double>& film, double mean_spin) {
-  return is_zero(film.velocity) ? 1 : (1 + std::abs(mean_spin) / norm(film.velocity)) / 1000;
-}
-
 /// Half film on a given side, continued smoothly beyond a = 0; ends where a changes sign.
 template <JumpingLaw Law>
 class SidedMode {
@@ -119,9 +112,9 @@ class SidedMode {
 
   /// It begins on a = 0 and may part from it slowly, by less than the errors of the run.
   bool begins_unparted() const { return from_jump_; }
-  /// Of that margin: a thousandth of the motion's rates, as far above errors of a run as below the motion.
+  /// What that margin may be below 0 before the side is wrong beyond any error.
   double wrong_side(const std::array<double, 4>& y) const {
-    return lubjoint::wrong_side(journal_.film(y), journal_.drive().mean_spin());
+    return lubjoint::wrong_side(journal_.film(y).velocity.norm(), std::abs(journal_.drive().mean_spin()));
   }
 
  private:

@@ -219,7 +219,8 @@ class JournalRun : public ModeRuns {
   /// Where the journal is off a = 0 beyond any error, to which a step of loose tolerance may bring it.
   std::optional<Phase> side_off_the_jump() const {
     const double off = sine();
-    if (std::abs(off) <= wrong_side(journal_.film(y_), journal_.drive().mean_spin())) return std::nullopt;
+    if (std::abs(off) <= wrong_side(journal_.film(y_).velocity.norm(), std::abs(journal_.drive().mean_spin())))
+      return std::nullopt;
     return off > 0 ? Phase::mirrored : Phase::converging;
   }
 

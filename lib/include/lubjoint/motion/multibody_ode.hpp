@@ -3,19 +3,13 @@
 
 #include <vector>
 
+#include "lubjoint/motion/energy_balance.hpp"
 #include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/multibody/planar_system.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/ode/integrator.hpp"
 
 namespace lubjoint {
-
-/// Kinetic energy, and potential energy of weights and springs [J].
-template <class R>
-struct MechanicalEnergy {
-  R kinetic;    ///< of all bodies
-  R potential;  ///< of all weights and springs
-};
 
 /// y = (q, q̇) and, with a ledger, the work of each term;  ẏ = (q̇, q̈, powers).
 template <class R>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lubjoint/motion/contact_events.hpp"
+#include "lubjoint/motion/jump_side.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/table_knots.hpp"
 #include "lubjoint/multibody/assembly.hpp"
@@ -223,7 +224,7 @@ class MultibodyPieces {
   struct Slip {
     R sine;           ///< (e × u)/(|e||u|): above 0 where a < 0
     R rounding;       ///< what rounding of the bodies' places and velocities makes of it
-    R wrong_side;     ///< a thousandth of the motion's rates, as far above errors of a run as below the motion
+    R wrong_side;     ///< sine beyond which it is on the other side, whatever the errors of a run
     Vector2<R> line;  ///< r; along u where e is nothing but rounding
     bool centred;     ///< is e nothing but rounding?
     bool at_rest;     ///< is u?
@@ -264,7 +265,7 @@ class MultibodyPieces {
     if (!slip.centred && !slip.at_rest) {
       slip.sine = lubjoint::cross(direction(e), direction(u));
       slip.rounding = few + e_rounding / distance + u_rounding / pace;
-      slip.wrong_side = (1 + abs(mean_spin) * joint.bearing.clearance() / pace) / 1000;
+      slip.wrong_side = wrong_side(R(pace / joint.bearing.clearance()), R(abs(mean_spin)));
     }
     return slip;
   }

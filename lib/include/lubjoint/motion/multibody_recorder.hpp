@@ -66,8 +66,7 @@ class MultibodyRecorder {
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
-    const MechanicalEnergy<R> energy = ode_.energy(y);
-    start_energy_ = energy.kinetic + energy.potential;
+    balance_.start(ode_.energy(y));
   }
 
   /// An accepted step: the samples in it, and its extremes.
@@ -146,8 +145,8 @@ class MultibodyRecorder {
 
   const std::vector<MultibodySample>& samples() const { return samples_; }  ///< in order
   const ConstraintDrift& drift() const { return drift_; }                   ///< largest so far
-  double energy_residual() const { return energy_residual_; }               ///< largest |E − E₀ − work| [J]
-  double energy_scale() const { return energy_scale_; }                     ///< largest kinetic energy or work [J]
+  double energy_residual() const { return balance_.residual(); }            ///< largest |E − E₀ − work| [J]
+  double energy_scale() const { return balance_.scale(); }                  ///< largest kinetic energy or work [J]
 
   /// Of the joints, in order; after finish.
   const std::vector<JointExtremes>& joint_extremes() const { return joint_extremes_; }
@@ -241,15 +240,7 @@ class MultibodyRecorder {
       const R rate = ode_.system().constraint_rate(row, w);
       drift_.velocity = std::max(drift_.velocity, std::abs(static_cast<double>(rate)));
     }
-    if (!ode_.with_ledger()) return;
-    const MechanicalEnergy<R> energy = ode_.energy(y);
-    R residual = energy.kinetic + energy.potential - start_energy_;
-    energy_scale_ = std::max(energy_scale_, static_cast<double>(energy.kinetic));
-    for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) {
-      residual -= y[i];
-      energy_scale_ = std::max(energy_scale_, std::abs(static_cast<double>(y[i])));
-    }
-    energy_residual_ = std::max(energy_residual_, std::abs(static_cast<double>(residual)));
+    if (ode_.with_ledger()) balance_.note(ode_.energy(y), y, ode_.mechanical_states());
   }
 
   MultibodyOde<R>& ode_;
@@ -272,9 +263,7 @@ class MultibodyRecorder {
   std::vector<ReactionExtremes> reaction_extremes_;
   std::vector<SensorExtremes> sensor_extremes_;
   ConstraintDrift drift_;
-  R start_energy_{};
-  double energy_residual_ = 0;
-  double energy_scale_ = 0;
+  EnergyBalance<R> balance_;
 };
 
 }  // namespace lubjoint

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lubjoint/motion/contact_events.hpp"
+#include "lubjoint/motion/jump_side.hpp"
 #include "lubjoint/motion/multibody_pieces.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
 #include "lubjoint/multibody/spatial/assembly.hpp"
@@ -185,9 +186,9 @@ class SpatialPieces {
     const R pace = norm(u);
     // e and u are differences of numbers of the size of the mechanism, a thousand clearances and more.
     const R of_places = 16 * epsilon() * (1 + 1000 * joint.bearing.radius() / norm(e));
-    const R wrong_side = (1 + abs(half) * joint.bearing.clearance() / pace) / 1000;
+    const R beyond_errors = wrong_side(R(pace / joint.bearing.clearance()), R(abs(half)));
     return {ode_.memory()[j].side == FilmSide::mirrored ? sine : R(-sine),
-            unparted_[j] ? std::max<R>(of_places, wrong_side) : of_places};
+            unparted_[j] ? std::max<R>(of_places, beyond_errors) : of_places};
   }
 
   void find_side(const State& y, std::size_t j) {

@@ -40,8 +40,7 @@ class SpatialRecorder {
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
-    const MechanicalEnergy<R> energy = ode_.energy(y);
-    start_energy_ = energy.kinetic + energy.potential;
+    balance_.start(ode_.energy(y));
     note_drift(ode_.workspace(), y);
   }
 
@@ -118,8 +117,8 @@ class SpatialRecorder {
 
   const std::vector<SpatialSample>& samples() const { return samples_; }  ///< in order
   const SpatialDrift& drift() const { return drift_; }                    ///< largest so far, but for |p|'s
-  double energy_residual() const { return energy_residual_; }             ///< largest |E − E₀ − work| [J]
-  double energy_scale() const { return energy_scale_; }                   ///< largest kinetic energy or work [J]
+  double energy_residual() const { return balance_.residual(); }          ///< largest |E − E₀ − work| [J]
+  double energy_scale() const { return balance_.scale(); }                ///< largest kinetic energy or work [J]
 
   /// Of the joints, in order; after finish.
   const std::vector<SpatialJointExtremes>& joint_extremes() const { return joint_extremes_; }
@@ -222,15 +221,7 @@ class SpatialRecorder {
       if (std::binary_search(without.begin(), without.end(), row))
         drift_.left_out_position = std::max(drift_.left_out_position, off);
     }
-    if (!ode_.with_ledger()) return;
-    const MechanicalEnergy<R> energy = ode_.energy(y);
-    R residual = energy.kinetic + energy.potential - start_energy_;
-    energy_scale_ = std::max(energy_scale_, static_cast<double>(energy.kinetic));
-    for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) {
-      residual -= y[i];
-      energy_scale_ = std::max(energy_scale_, std::abs(static_cast<double>(y[i])));
-    }
-    energy_residual_ = std::max(energy_residual_, std::abs(static_cast<double>(residual)));
+    if (ode_.with_ledger()) balance_.note(ode_.energy(y), y, ode_.mechanical_states());
   }
 
   SpatialOde<R>& ode_;
@@ -246,8 +237,7 @@ class SpatialRecorder {
   std::vector<DriverExtremes> driver_extremes_;
   std::vector<ReactionExtremes> reaction_extremes_;
   SpatialDrift drift_;
-  R start_energy_{};
-  double energy_residual_ = 0, energy_scale_ = 0;
+  EnergyBalance<R> balance_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};
 };

@@ -116,11 +116,15 @@ using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>, TableLoad<R>>;
 /// @param frame  frame(body) is the frame of a body
 template <class T, class R, class Time, class Frame, class Add>
 void apply_load(const MovingLoad<R>& load, const Time& t, const Frame& frame, const Add& add) {
-  if (const auto* table = std::get_if<TableLoad<R>>(&load)) return table->template apply_with<T>(frame, t, add);
-  if (const auto* unbalance = std::get_if<Unbalance<R>>(&load))
-    return unbalance->apply(frame(unbalance->body()), t, add);
-  const auto& point = std::get<PointLoad<R>>(load);
-  point.apply(frame(point.body()), t, add);
+  std::visit(
+      [&](const auto& each) {
+        if constexpr (requires { each.template apply_with<T>(frame, t, add); }) {
+          each.template apply_with<T>(frame, t, add);
+        } else {
+          each.apply(frame(each.body()), t, add);
+        }
+      },
+      load);
 }
 
 /// Number of the body that a load acts on.

@@ -64,6 +64,9 @@ class ScaledIntegrator final : public Integrator<double, N> {
     stepper_ = Make::made(tolerance_.nominal, tolerance_.relative);
     starts_ = true;
   }
+  /// Both keep what they know: extrapolation remembers no state, only orders and step lengths, and rates of a multistep
+  /// method that belong to a state as near as a projection leaves it are as good as those of the state itself.
+  void replace_state(const State&) override {}
   std::unique_ptr<Integrator<double, N>> fresh() const override {
     return std::make_unique<ScaledIntegrator>(tolerance_);
   }

@@ -30,19 +30,19 @@ class LargestValue {
 
   /// A step.
   /// @param values  the quantity at time_of(0) … time_of(pieces), at both ends without an interpolant's error
-  /// @param f  f(t), the quantity at any time of the step; where it throws std::domain_error, as an interpolant may
-  /// that
-  ///           passes a bearing's wall, no peak is searched
+  /// @param f  f(t), the quantity at any time of the step; where it throws std::domain_error, as an interpolant that
+  ///           passes a bearing's wall may, no peak is searched
   /// @param confirm  confirm(t), the same by the method itself: in a thin film an interpolant can show a peak that is
   ///                 not there
   template <class TimeOf, class Function, class Confirm>
   void look(const std::vector<double>& values, const TimeOf& time_of, const Function& f, const Confirm& confirm) {
     const std::size_t last = values.size() - 1;
+    const auto is_record = [this](double value) { return value == value_; };
+    if (is_known_ && std::all_of(values.begin(), values.end(), is_record)) return;  // it never changes
     for (std::size_t i = 0; i <= last; ++i) {
       if (is_known_ && values[i] < value_) continue;
       if (i > 0 && i < last) {
-        if (values[i] == value_) continue;  // as of what never changes
-        if (values[i] >= values[i - 1] && values[i] >= values[i + 1])
+        if (values[i] > value_ && values[i] >= values[i - 1] && values[i] >= values[i + 1])
           search(time_of(i - 1), time_of(i + 1), time_of(i), values[i], f, confirm);
         continue;
       }
