@@ -125,6 +125,33 @@ TEST_CASE("verify, finite films: two mistakes together are named, and a law in t
   CHECK_THAT(text_report(law), Contains("The answers are those of the law short_half, not of the film"));
 }
 
+TEST_CASE("verify, finite films: pairs that change the wedge in two places are told from each other") {
+  const FiniteClaim claim{FiniteFilm::finite_half};
+  const std::vector<State> states = states_for(Quantities::cartesian, 7);
+  for (const char* factor : {"slip_rate_halved", "attitude_rate_not_doubled"}) {
+    INFO(factor);
+    const FiniteMistakes two{&mistake(factor), &mistake("bearing_spin_left_out")};
+    const auto pair = verify_finite_film(claim, Quantities::cartesian, states,
+                                         answers_with(claim, Quantities::cartesian, states, two), 0, 2);
+    REQUIRE(!pair.suspicions.empty());
+    CHECK(pair.suspicions.front().mistakes == two);
+    for (const FiniteSuspicion& each : pair.suspicions) CHECK(each.contradicted == 0);
+  }
+}
+
+TEST_CASE("verify, finite films: where the solver decides too few states, nothing agrees") {
+  const FiniteClaim claim{FiniteFilm::finite_reynolds};
+  const std::vector<State> states = states_for(Quantities::cartesian, 29);
+  const Answers right = answers_with(claim, Quantities::cartesian, states, {});
+  const auto coarse = verify_finite_film(claim, Quantities::cartesian, states, right, 1e-3, 2);
+  CHECK(coarse.verdict == Verdict::agrees);
+  const auto beyond =
+      verify_finite_film(claim, Quantities::cartesian, states, right, 1e-6, 2);  // the solver's end: 1e-5
+  CHECK(beyond.verdict == Verdict::undecided);
+  CHECK(beyond.count(Outcome::undecided) > states.size() / 2);
+  CHECK_THAT(text_report(beyond), Contains("decides too few of these states"));
+}
+
 TEST_CASE("verify, finite films: a solver on a grid, written without the gallery in mind, and what it does wrong") {
   const auto judged = [](const std::string& law, const std::string& mode) {
     return lubjoint_program({"verify", "--law", law, "--tolerance", "1e-2", "--json", "--", "python3",

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -25,6 +27,11 @@ void say(const char* text) noexcept {
   message.back() = '\0';
 }
 
+/// A force that no double holds.
+struct ForceRange : std::range_error {
+  using std::range_error::range_error;
+};
+
 template <class Work>
 int guarded(const Work& work) noexcept {
   try {
@@ -33,6 +40,9 @@ int guarded(const Work& work) noexcept {
   } catch (const FilmDomainError& error) {
     say(error.what());
     return EDOM;
+  } catch (const ForceRange& error) {
+    say(error.what());
+    return ERANGE;
   } catch (const std::bad_alloc&) {
     say("no memory");
     return ENOMEM;
@@ -110,8 +120,9 @@ int lubjoint_oracle_force(const char* film, const double bearing[4], const char*
     const oracle::FiniteFilm kind = oracle::finite_film_of(film);
     oracle::FiniteLengthOptions options{tolerance, onset_of(kind, onset)};
     if (!(tolerance >= 1e-12 && tolerance <= 0.1)) {
-      throw std::invalid_argument("tolerance is " + std::to_string(tolerance) +
-                                  "; allowed is a number from 1e-12 to 0.1");
+      std::ostringstream given;
+      given << "tolerance is " << tolerance << "; allowed is a number from 1e-12 to 0.1";
+      throw std::invalid_argument(given.str());
     }
     const Bearing<double> geometry(bearing[1], bearing[2], bearing[3]);
     const Lubricant<double> oil(bearing[0]);
@@ -119,6 +130,10 @@ int lubjoint_oracle_force(const char* film, const double bearing[4], const char*
       try {
         const PolarFilmState<double> state(eccentricity_ratio[i], slip_rate[i], squeeze_rate[i]);
         const oracle::FiniteLengthResult force = oracle::finite_length_force(kind, geometry, oil, state, options);
+        for (const double each : {force.radial, force.tangential, force.radial_error, force.tangential_error}) {
+          if (!std::isfinite(each))
+            throw ForceRange("row " + std::to_string(i) + ": the force is beyond the range of double");
+        }
         radial[i] = force.radial;
         tangential[i] = force.tangential;
         radial_error[i] = force.radial_error;

@@ -27,8 +27,8 @@ struct Bounded {
   double error;
 };
 
-/// −dF/dx at 0 from F at ±h and ±2h: fourth order. The error: the bounds of the forces, and a sixteenth of what the
-/// same over twice the step is off, which is what is left of the truncation.
+/// −dF/dx at 0 from F at ±h and ±2h: fourth order. The error: the bounds of the forces, and the truncation, E of 16 E
+/// over twice the step, a fifteenth of the difference.
 template <class Force>
 Bounded minus_slope(double h, const Force& force) {
   const Bounded left = force(-h), right = force(h), far_left = force(-2 * h), far_right = force(2 * h);
@@ -39,7 +39,7 @@ Bounded minus_slope(double h, const Force& force) {
   const Vector2d close = slope(right.value - left.value, far_right.value - far_left.value, h);
   const Vector2d wide = slope(far_right.value - far_left.value, farther_right.value - farther_left.value, 2 * h);
   const double carried = (8 * (left.error + right.error) + far_left.error + far_right.error) / (12 * h);
-  return {-close, carried + (wide - close).norm() / 16};
+  return {-close, carried + (wide - close).norm() / 15};
 }
 
 /// Everything by one solver, in (r, t).

@@ -32,6 +32,9 @@ struct Errors {
   }
 };
 
+/// Two digits, and none beyond the solver's bound of 1e-3.
+std::string shown(double error) { return error < 0.01 ? fmt::format("{:.3f}", error) : fmt::format("{:.2g}", error); }
+
 }  // namespace
 
 std::string model_error_lookup() {
@@ -49,8 +52,8 @@ std::string model_error_lookup() {
           if (meant && entry.eccentricity_ratio == epsilon) errors.add(entry);
         }
         if (errors.all.empty()) continue;
-        csv += fmt::format("{:.5g},{:g},{},{:.2g},{:.2g},{:.2g},{:.2g}\n", shape, epsilon, law, errors.median(),
-                           errors.largest[0], errors.largest[1], errors.largest[2]);
+        csv += fmt::format("{:.5g},{:g},{},{},{},{},{}\n", shape, epsilon, law, shown(errors.median()),
+                           shown(errors.largest[0]), shown(errors.largest[1]), shown(errors.largest[2]));
       }
     }
   }

@@ -40,10 +40,15 @@ def periodic(below, middle, above, right):
     return [xi - factor * yi for xi, yi in zip(x, y)]
 
 
+def sign(k):
+    return 1 if MODE == "one_end" else (-1)**(k - 1)
+
+
 def modes(shape, eps, a, b, start, whole):
     """Angles, and at each the amplitudes P_k of p = 6 mu (R/c)^2 sum of P_k cos((2k - 1) pi z/L) with their signs.
 
     d/dtheta(H^3 dP_k/dtheta) - Lambda_k^2 H^3 P_k = -g 4(-1)^(k-1)/((2k - 1) pi), g = a sin(theta) - 2b cos(theta)
+    With one end closed: of sin((2k - 1) pi z/(2L)), z from the open one, all signs +.
     """
     n = 2 * POINTS if whole else POINTS
     step = (2 * math.pi if whole else math.pi) / n
@@ -56,8 +61,8 @@ def modes(shape, eps, a, b, start, whole):
     east = [cube(t + step / 2) / step**2 for t in inner]
     found = []
     for k in range(1, HARMONICS + 1):
-        wave = (2 * k - 1) * math.pi / (2 * shape)
-        share = 4 / ((2 * k - 1) * math.pi) * (-1)**(k - 1)
+        wave = (2 * k - 1) * math.pi / ((4 if MODE == "one_end" else 2) * shape)
+        share = 4 / ((2 * k - 1) * math.pi) * sign(k)
         middle = [-w - e - wave**2 * cube(t) for w, e, t in zip(west, east, inner)]
         right = [-share * (a * math.sin(t) - 2 * b * math.cos(t)) for t in inner]
         solve = periodic if whole else tridiagonal
@@ -79,7 +84,7 @@ def force(shape, eps, a, b):
                 p = sum(column[i] * math.cos((2 * k + 1) * math.pi * zeta) for k, column in enumerate(found))
                 mean += max(p, 0.0) / STATIONS
         else:
-            mean = sum(column[i] * 2 * (-1)**k / ((2 * k + 1) * math.pi) for k, column in enumerate(found))
+            mean = sum(column[i] * 2 * sign(k) / ((2 * k - 1) * math.pi) for k, column in enumerate(found, 1))
         radial += 6 * mean * math.cos(theta) * step
         tangential += 6 * mean * math.sin(theta) * step
     return radial, tangential
@@ -99,7 +104,7 @@ def answer(s):
     if MODE == "half_squeeze":
         b /= 2
     shape = s["length"] / (2 * s["radius"])
-    if MODE in ("length_over_radius", "one_end"):
+    if MODE == "length_over_radius":
         shape *= 2
     radial, tangential = force(shape, eps, a, b)
     scale = s["viscosity"] * s["length"] * s["radius"]**3 / c**2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import Optional, Sequence
 
@@ -143,6 +144,10 @@ def transition_force(law: str, bearing: Bearing, contact: Contact, ex: ArrayLike
     batch = Batch([ex, ey, vx, vy, omega_bearing, omega_journal], out)
     call(library.lubjoint_transition_force, law, bearing, contact._struct(), batch.count, MotionStruct(*batch.inputs),
          *batch.outputs)
+    # The film's clearance is wider, and beyond c + e0 there is no film.
+    film = dataclasses.replace(bearing, clearance=bearing.clearance + contact.e1)
+    ratio = numpy.minimum(numpy.hypot(ex, ey), bearing.clearance + contact.e0) / film.clearance
+    warn_beyond(law, film, ratio)
     return batch.answers()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import sys
 import warnings
@@ -35,7 +36,7 @@ def _solvers():
 def _solved(status):
     if status:
         message = _solvers().lubjoint_oracle_message().decode()
-        raise MemoryError(message) if status == 12 else ValueError(message)
+        raise {errno.ENOMEM: MemoryError, errno.ERANGE: OverflowError}.get(status, ValueError)(message)
 
 
 def provide(law: str, bearing: Bearing) -> None:
@@ -137,7 +138,7 @@ def oracle_force(film: str, bearing: Bearing, eccentricity_ratio: ArrayLike, sli
 
     The errors are bounds that the solvers state, also where they don't reach the tolerance: finite_reynolds, meant for
     eps up to 0.99, to about 1e-5; the others to 1e-10. A state takes from a millisecond to seconds. ValueError for
-    another film, an onset without effect, a row without a film. The one-dimensional films are integrated by
+    another film, an onset without effect, a row without a film; OverflowError for a force beyond the range of double. The one-dimensional films are integrated by
     `lubjoint oracle force`.
 
     >>> bearing = Bearing(viscosity=0.4, length=0.04, radius=0.04, clearance=2e-4)
@@ -153,7 +154,7 @@ def oracle_force(film: str, bearing: Bearing, eccentricity_ratio: ArrayLike, sli
     inputs = [numpy.ascontiguousarray(numpy.broadcast_to(x, batch.shape), dtype=numpy.float64)
               for x in (eccentricity_ratio, slip_rate, squeeze_rate)]
     numbers = (4 * ctypes.c_double)(bearing.viscosity, bearing.length, bearing.radius, bearing.clearance)
-    _solved(_solvers().lubjoint_oracle_force(film.encode(), numbers, onset.encode() if onset else None, tolerance,
+    _solved(_solvers().lubjoint_oracle_force(film.encode(), numbers, None if onset is None else onset.encode(), tolerance,
                                              batch.count, *[a.ctypes.data for a in inputs],
                                              *[to.data for to in batch.outputs]))
     return SolvedForce(*batch.answers())

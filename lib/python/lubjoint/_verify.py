@@ -167,7 +167,8 @@ def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "c
                columns of the answer, e.g. (fx, fy): the force on the journal; for coefficients, equilibrium and losses
                also a dictionary of any of them. One that fails with arrays, as math.sqrt does, is called with the
                numbers of one state at a time, which takes longer; vectorized=False does so from the start
-    law        a name of laws(), or "auto": find out which
+    law        a name of laws(), or "auto": find out which. Films of finite length are judged by the command
+               `lubjoint verify --law finite_...` alone
     quantities "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless", "coefficients",
                "equilibrium" or "losses"
     domain     what the function is meant for: "omega_sum > 0, eccentricity_ratio > 0" or a list of such conditions

@@ -32,6 +32,9 @@ struct FiniteComparison {
   double bound = 0;          ///< of the error of `expected`, over its size
   double error = 0;          ///< of the answer over |F|; infinite where it is not a number
   Outcome outcome = Outcome::undecided;
+
+  /// Is it said whether it is right?
+  bool is_decided() const { return outcome != Outcome::left_out && outcome != Outcome::undecided; }
 };
 
 using FiniteMistakes = std::vector<const FiniteMistake*>;
@@ -62,8 +65,9 @@ struct FiniteVerification {
 };
 
 /// Judges answers. A state is undecided where the solver's own bound is above the tolerance, and left out where it lies
-/// on the jump of finite_half, at a = 0. If answers are wrong, mistakes of the gallery are tried, alone and in pairs,
-/// whether one factor makes all answers right, whether another film does, and whether a law does.
+/// on the jump of finite_half, at a = 0. Answers agree if none is wrong and more are right than are undecided. If
+/// answers are wrong, mistakes of the gallery are tried, alone and in pairs, whether one factor makes all answers
+/// right, whether another film does, and whether a law does.
 /// @param tolerance  error over |F| that is right; 0: finite_tolerance
 /// @param threads  no result depends on them
 FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quantities, std::vector<State> states,

@@ -64,12 +64,16 @@ std::string next_step(const FiniteVerification& v) {
   if (v.count(Outcome::not_a_number) > 0) {
     return "Why some answers are no numbers: run the program on one of the states by itself.";
   }
-  if (v.verdict == Verdict::undecided) return "The solver decides none of these states.";
+  if (v.verdict == Verdict::undecided)
+    return "The solver decides too few of these states at this tolerance: --tolerance says another one.";
   return "The worst state, step by step.";
 }
 
+/// Of those that are decided, if any is.
 std::size_t worst_state(const FiniteVerification& v) {
-  const auto worst = std::ranges::max_element(v.comparisons, {}, &FiniteComparison::error);
+  const bool any = std::ranges::any_of(v.comparisons, &FiniteComparison::is_decided);
+  const auto worst = std::ranges::max_element(
+      v.comparisons, {}, [&](const FiniteComparison& c) { return any && !c.is_decided() ? -1.0 : c.error; });
   return static_cast<std::size_t>(worst - v.comparisons.begin());
 }
 
@@ -105,12 +109,15 @@ std::string text_report(const FiniteVerification& v) {
       ++states;
       undecided += c.outcome == Outcome::undecided ? 1 : 0;
       wrong += c.outcome == Outcome::wrong || c.outcome == Outcome::not_a_number ? 1 : 0;
-      errors.push_back(c.error);
+      if (c.is_decided()) errors.push_back(c.error);
     }
-    if (errors.empty()) continue;
+    if (states == 0) continue;
     std::ranges::sort(errors);
-    text += fmt::format("{:<8g}{:6d}{:9d}{:11d}{:15.1e}{:14.1e}\n", shape, states, wrong, undecided,
-                        errors[errors.size() / 2], errors.back());
+    const auto shown = [&](std::size_t i) {
+      return errors.empty() ? std::string("-") : fmt::format("{:.1e}", errors[i]);
+    };
+    text += fmt::format("{:<8g}{:6d}{:9d}{:11d}{:>15}{:>14}\n", shape, states, wrong, undecided,
+                        shown(errors.size() / 2), shown(errors.size() - 1));
   }
   if (const std::size_t left_out = v.count(Outcome::left_out)) {
     text += fmt::format("{} states are left out: rounding decides on which side of the half film's jump they lie.\n",
@@ -138,7 +145,7 @@ nlohmann::ordered_json json_report(const FiniteVerification& v) {
           {"onset", v.claim.onset == FilmOnset::free ? "free" : "maximum_film"},
           {"digits", worst > 0 ? nlohmann::ordered_json(-std::log10(worst)) : nlohmann::ordered_json(nullptr)},
           {"tolerance", v.tolerance},
-          {"states", v.states.size()},
+          {"states", v.states.size() - v.count(Outcome::left_out)},
           {"failing", v.count(Outcome::wrong) + v.count(Outcome::not_a_number)},
           {"undecided", v.count(Outcome::undecided)},
           {"left_out", v.count(Outcome::left_out)},

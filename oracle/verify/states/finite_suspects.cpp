@@ -17,7 +17,6 @@ oracle::FiniteLengthOptions quick(const FiniteClaim& claim) {
   return {1e-6, claim.onset, oracle::SmoothFilmMethod::circumferential_modes};
 }
 
-bool is_judged(const FiniteComparison& c) { return c.outcome != Outcome::left_out && c.outcome != Outcome::undecided; }
 bool fails(const FiniteComparison& c) { return c.outcome == Outcome::wrong || c.outcome == Outcome::not_a_number; }
 
 /// Would a program with these mistakes have given this answer?
@@ -36,7 +35,7 @@ bool reproduces(const FiniteVerification& v, const FiniteMistakes& mistakes, std
 std::vector<std::size_t> telling_states(const FiniteVerification& v) {
   std::vector<std::size_t> failing, right;
   for (std::size_t i = 0; i < v.states.size(); ++i) {
-    if (!is_judged(v.comparisons[i])) continue;
+    if (!v.comparisons[i].is_decided()) continue;
     (fails(v.comparisons[i]) ? failing : right).push_back(i);
   }
   std::vector<std::size_t> some;
@@ -50,14 +49,13 @@ std::vector<std::size_t> telling_states(const FiniteVerification& v) {
 }
 
 constexpr double nearly_all = 0.98;
-constexpr double hardly_any = 0.02;
 
 std::optional<FiniteSuspicion> suspicion_of(const FiniteVerification& v, const std::vector<std::size_t>& telling,
                                             const FiniteMistakes& mistakes) {
   if (!std::ranges::all_of(telling, [&](std::size_t i) { return reproduces(v, mistakes, i); })) return {};
   double failing = 0, explained = 0, contradicted = 0;
   for (std::size_t i = 0; i < v.states.size(); ++i) {
-    if (!is_judged(v.comparisons[i])) continue;
+    if (!v.comparisons[i].is_decided()) continue;
     const bool same = reproduces(v, mistakes, i);
     if (fails(v.comparisons[i])) {
       ++failing;
@@ -67,7 +65,7 @@ std::optional<FiniteSuspicion> suspicion_of(const FiniteVerification& v, const s
     }
   }
   const FiniteSuspicion suspicion{mistakes, explained / failing, contradicted / failing};
-  if (suspicion.share < nearly_all || suspicion.contradicted > hardly_any) return {};
+  if (suspicion.share < nearly_all || suspicion.contradicted > 0) return {};
   return suspicion;
 }
 
@@ -83,12 +81,17 @@ std::vector<FiniteSuspicion> finite_suspicions(const FiniteVerification& v) {
   const auto look_at = [&](const FiniteMistakes& mistakes) {
     if (auto suspicion = suspicion_of(v, telling, mistakes)) found.push_back(std::move(*suspicion));
   };
+  const auto likeliest_first = [&found] {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const FiniteSuspicion& a, const FiniteSuspicion& b) { return a.share > b.share; });
+    return found;
+  };
   for (const FiniteMistake* each : possible) look_at({each});
-  if (!found.empty()) return found;
+  if (!found.empty()) return likeliest_first();
   for (std::size_t i = 0; i < possible.size(); ++i) {
     for (std::size_t k = i + 1; k < possible.size(); ++k) look_at({possible[i], possible[k]});
   }
-  return found;
+  return likeliest_first();
 }
 
 std::optional<std::string> law_of_answers(const FiniteVerification& v) {
@@ -96,7 +99,7 @@ std::optional<std::string> law_of_answers(const FiniteVerification& v) {
     const Law law = law_of(name);
     bool all = true;
     for (std::size_t i = 0; i < v.states.size() && all; ++i) {
-      if (!is_judged(v.comparisons[i])) continue;
+      if (!v.comparisons[i].is_decided()) continue;
       const Solution s = solve(v.quantities, law, v.states[i]);
       const Vector2<double> force(static_cast<double>(s.answer[0]), static_cast<double>(s.answer[1]));
       const Vector2<double> given(v.answers.values[i][0], v.answers.values[i][1]);

@@ -10,7 +10,8 @@
 namespace lubjoint::verify {
 
 /// Mistakes of the gallery, alone or, where none is enough, two together, that explain the failing states and
-/// contradict no right one; those that predict the same answers are all in it, in the gallery's order.
+/// contradict no right one; those that predict the same answers are all in it. The likeliest
+/// first, and among equals in the gallery's order.
 std::vector<FiniteSuspicion> finite_suspicions(const FiniteVerification& verification);
 
 /// The law of a short or a long bearing whose forces all answers are.
