@@ -31,7 +31,7 @@ holds() { # a file whose path ends thus
 depends() {
   dpkg-deb -f "$1" Depends | tr ',' '\n' | grep -qE "^ *$2" || fail "$(basename "$1") does not depend on $2"
 }
-for program in lubjoint lubjoint-verify lubjoint-measure; do holds "$tool" "./usr/bin/$program"; done
+for program in lubjoint lubjoint-paper lubjoint-scenes lubjoint-verify lubjoint-measure; do holds "$tool" "./usr/bin/$program"; done
 holds "$tool" ./usr/share/lubjoint/scenes/journal.toml
 holds "$tool" ./usr/share/lubjoint/golden/manifest.json
 holds "$tool" ./usr/share/lubjoint/literature/raimondi-boyd.csv

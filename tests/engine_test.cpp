@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "lubjoint/scene/periodic_orbit.hpp"
+#include "lubjoint/scene/scene_period.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/mechanisms/engine_tables.hpp"
 #include "oracle/mechanisms/mobility_orbit.hpp"

@@ -135,46 +135,7 @@ class Shooting {
   Scene scene_;
 };
 
-/// Does a time hold a period a whole number of times, to rounding of a file's digits?
-bool holds(double time, double period) {
-  const double count = std::round(time / period);
-  return count >= 1 && std::abs(time - count * period) <= 1e-9 * time;
-}
-
 }  // namespace
-
-std::optional<double> scene_period(const Scene& scene) {
-  std::vector<double> periods;
-  bool repeats = true;
-  for (const SceneLoad& load : scene.loads) {
-    if (load.harmonic) periods.push_back(2 * std::numbers::pi / load.harmonic->rate);
-    if (!load.table) continue;
-    if (load.table->of_angle) {
-      const std::optional<EvenTurn> turn = even_turn(scene, load.table->against);
-      repeats = repeats && turn && turn->speed != 0;
-      if (repeats) periods.push_back(load.table->curves->length() / std::abs(turn->speed));
-    } else {
-      repeats = repeats && load.table->curves->is_periodic();
-      periods.push_back(load.table->curves->length());
-    }
-  }
-  for (const SceneConstraint& each : scene.constraints) {
-    if (!each.is_driver()) continue;
-    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
-    repeats = repeats && driver != nullptr && driver->acceleration == 0 && !driver->shape;
-    if (repeats && driver->speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver->speed));
-  }
-  for (const SceneBody& body : scene.bodies) {
-    if (body.spin_is_held && body.spin != 0) periods.push_back(2 * std::numbers::pi / std::abs(body.spin));
-  }
-  if (!repeats || periods.empty()) return std::nullopt;
-  const double longest = *std::max_element(periods.begin(), periods.end());
-  for (int count = 1; count <= 24; ++count) {
-    const double period = count * longest;
-    if (std::all_of(periods.begin(), periods.end(), [&](double each) { return holds(period, each); })) return period;
-  }
-  return std::nullopt;
-}
 
 PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance) {
   if (is_free_journal(scene)) {

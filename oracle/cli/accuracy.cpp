@@ -9,6 +9,7 @@
 
 #include "lubjoint/film/every_law.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
@@ -30,8 +31,7 @@ void add_accuracy(CLI::App& app, Action& action) {
     std::uint64_t seed = 1;
   };
   auto options = std::make_shared<AccuracyOptions>();
-  CLI::App* command =
-      app.add_subcommand("accuracy", "Rounding errors of every law by eccentricity ratio, against 100 digits");
+  CLI::App* command = app.add_subcommand("accuracy", words_of("accuracy"));
   command->add_option("--out", options->out, "CSV file to write, all rows");
   command->add_option("--directions", options->directions, "Random directions of motion at each ratio")
       ->check(whole_number, "UINT")

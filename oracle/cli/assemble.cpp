@@ -4,6 +4,7 @@
 
 #include "lubjoint/scene/scene_assembly.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/results/assembly_report.hpp"
 
 namespace lubjoint::cli {
@@ -35,9 +36,7 @@ void add_assemble(CLI::App& app, Action& action) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "assemble",
-      "Places and velocities that close a scene's loops, from rough guesses: the scene anew on standard output");
+  CLI::App* command = app.add_subcommand("assemble", words_of("assemble"));
   command->add_option("scene", options->file, "Scene file (TOML)")->required();
   command->add_option("--angle", options->angles,
                       "NAME=VALUE: angle of a driver, or of a body that is held for the assembly [rad]");

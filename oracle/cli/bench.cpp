@@ -8,7 +8,7 @@
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"

@@ -5,6 +5,7 @@
 
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/cli/programs.hpp"
 
 namespace lubjoint::cli {
 
@@ -16,10 +17,7 @@ void add_benchmark(CLI::App& app, Action& action) {
     bool work_precision = false;
   };
   auto options = std::make_shared<BenchmarkOptions>();
-  CLI::App* command = app.add_subcommand(
-      "benchmark",
-      "Mechanisms that others have published: difference from their numbers, run time, energy drift;\n"
-      "exit 1 if any disagrees");
+  CLI::App* command = app.add_subcommand("benchmark", words_of("benchmark"));
   command->add_option("names", options->names, "Problems; none: all of them");
   CLI::Option* rtol =
       command->add_option("--rtol", options->rtol, "Relative and absolute tolerance in place of the scenes'");

@@ -6,6 +6,7 @@
 #include "lubjoint/film/film_state.hpp"
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/law_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/results/coefficient_table.hpp"
@@ -75,8 +76,7 @@ int compare(const Rows& rows) {
 
 void add_coefficients(CLI::App& app, Action& action) {
   auto options = std::make_shared<CoefficientsOptions>();
-  CLI::App* command = app.add_subcommand(
-      "coefficients", "Stiffness, damping, critical mass and whirl ratio of a journal at rest on its film, as CSV");
+  CLI::App* command = app.add_subcommand("coefficients", words_of("coefficients"));
   command->add_option("--law", options->law, "Film law")->required();
   command->add_option("--states", options->states, "CSV with eccentricity_ratio; - is stdin. Needs --omega");
   command->add_option("--speeds", options->speeds, "Spins LO:HI:N or log:LO:HI:N [rad/s]. Needs --load");

@@ -8,10 +8,6 @@ namespace lubjoint::cli {
 /// One command must be given; and --version.
 void prepare(CLI::App& app);
 
-/// The commands of the program `lubjoint`: its own, and those of other programs, which it runs.
-/// Parsing sets the action of the command that was named and touches nothing else.
-void add_commands(CLI::App& app, Action& action);
-
 /// What is wrong with the arguments, in one line.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv);
 

@@ -4,6 +4,7 @@
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 
 namespace lubjoint::cli {
@@ -78,7 +79,7 @@ int compile(const CompileOptions& options) {
 
 void add_compile_film(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompileOptions>();
-  CLI::App* command = app.add_subcommand("compile-film", "Table of a finite-length law, with its measured error");
+  CLI::App* command = app.add_subcommand("compile-film", words_of("compile-film"));
   command->add_option("--film", options->film, "finite_full, finite_half, finite_dynamic or finite_reynolds")
       ->required();
   command->add_option("--length", options->length, "Bearing length [m]");

@@ -1,7 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/measure/chain_cost.hpp"
 #include "oracle/measure/scene_cost.hpp"

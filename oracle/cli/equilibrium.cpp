@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/cli/scene_options.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/results/coefficient_table.hpp"
 #include "oracle/results/journal_report.hpp"
 
@@ -12,8 +13,7 @@ void add_equilibrium(CLI::App& app, Action& action) {
     bool json = false;
   };
   auto options = std::make_shared<EquilibriumOptions>();
-  CLI::App* command =
-      app.add_subcommand("equilibrium", "Steady state of a journal, its stiffness, damping and eigenvalues");
+  CLI::App* command = app.add_subcommand("equilibrium", words_of("equilibrium"));
   options->add_file(*command);
   options->add_law(*command);
   command->add_flag("--json", options->json, "One JSON object");

@@ -4,6 +4,7 @@
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/law_option.hpp"
 #include "oracle/cli/name_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/files/files.hpp"
 
@@ -82,7 +83,7 @@ void add_force(CLI::App& app, Action& action) {
     std::string law;
   };
   auto options = std::make_shared<ForceOptions>();
-  CLI::App* command = app.add_subcommand("force", "Film force of a law at given states, CSV in and out");
+  CLI::App* command = app.add_subcommand("force", words_of("force"));
   command->add_option("--law", options->law, "Film law")->required();
   options->add_states(*command);
   options->add(*command);

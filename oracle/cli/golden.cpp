@@ -7,7 +7,7 @@
 
 #include "oracle/certified/finite_length.hpp"
 #include "oracle/cli/command.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/trajectories/golden_trajectories.hpp"

@@ -2,6 +2,7 @@
 
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/law_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/results/losses_table.hpp"
 
@@ -14,8 +15,7 @@ void add_losses(CLI::App& app, Action& action) {
     std::string shear = "film";
   };
   auto options = std::make_shared<LossesOptions>();
-  CLI::App* command =
-      app.add_subcommand("losses", "Friction torques, power and side flow of a film at given motions, CSV in and out");
+  CLI::App* command = app.add_subcommand("losses", words_of("losses"));
   command->add_option("--law", options->law, "Film law")->required();
   command
       ->add_option("--states", options->states,

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "oracle/cli/command_line.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 
 namespace lubjoint::cli {
 
@@ -12,20 +12,20 @@ namespace {
 
 char** given_arguments = nullptr;
 
-/// Becomes the other program, with the same arguments. Returns if it can't.
-int become(const OtherProgram& other) {
-  const auto file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / other.program;
+/// Becomes the program that has the command, with the same arguments. Returns if it can't.
+int become(const ProgramCommand& wanted) {
+  const auto file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / wanted.program;
   ::execv(file.c_str(), given_arguments);
   if (errno != ENOENT) throw std::system_error(errno, std::generic_category(), file.string());
-  throw std::runtime_error(std::string(other.command) + " is a command of " + file.string() +
-                           ", which was not built; in a checkout ./lubjoint " + std::string(other.command) +
+  throw std::runtime_error(std::string(wanted.command) + " is a command of " + file.string() +
+                           ", which was not built; in a checkout ./lubjoint " + std::string(wanted.command) +
                            " builds it");
 }
 
-void add_other(CLI::App& app, Action& action, std::string_view command) {
-  for (const OtherProgram& each : other_programs) {
-    if (each.command != command) continue;
-    CLI::App* added = app.add_subcommand(std::string(command), std::string(each.words));
+/// Every command, as one that another program has.
+void add_commands(CLI::App& app, Action& action) {
+  for (const ProgramCommand& each : program_commands) {
+    CLI::App* added = app.add_subcommand(std::string(each.command), std::string(each.words));
     added->set_help_flag();
     added->prefix_command();
     added->callback([&each, &action] { action = [&each] { return become(each); }; });
@@ -33,31 +33,6 @@ void add_other(CLI::App& app, Action& action, std::string_view command) {
 }
 
 }  // namespace
-
-void add_commands(CLI::App& app, Action& action) {
-  add_reproduce(app, action);
-  add_simulate(app, action);
-  add_assemble(app, action);
-  add_periodic(app, action);
-  add_force(app, action);
-  add_losses(app, action);
-  add_mobility(app, action);
-  add_equilibrium(app, action);
-  add_coefficients(app, action);
-  add_stability(app, action);
-  add_compile_film(app, action);
-  add_oracle(app, action);
-  add_model_error(app, action);
-  add_benchmark(app, action);
-  add_accuracy(app, action);
-  add_other(app, action, "bench");
-  add_other(app, action, "cost");
-  add_sweep(app, action);
-  add_other(app, action, "stress");
-  add_other(app, action, "golden");
-  add_other(app, action, "verify");
-  add_other(app, action, "prove");
-}
 
 }  // namespace lubjoint::cli
 

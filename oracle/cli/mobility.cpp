@@ -2,6 +2,7 @@
 
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/law_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/results/mobility_table.hpp"
 
@@ -13,8 +14,7 @@ void add_mobility(CLI::App& app, Action& action) {
     std::string states;
   };
   auto options = std::make_shared<MobilityOptions>();
-  CLI::App* command = app.add_subcommand(
-      "mobility", "Pure-squeeze velocities at which a film carries given forces, CSV in and out: the inverse of force");
+  CLI::App* command = app.add_subcommand("mobility", words_of("mobility"));
   command->add_option("--law", options->law, "Film law")->required();
   command
       ->add_option("--states", options->states,

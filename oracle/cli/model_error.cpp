@@ -6,6 +6,7 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/model_error_lookup.hpp"
 
@@ -70,8 +71,7 @@ Question question_of(const ModelErrorOptions& options) {
 
 void add_model_error(CLI::App& app, Action& action) {
   auto options = std::make_shared<ModelErrorOptions>();
-  CLI::App* command =
-      app.add_subcommand("model-error", "Each law against the film of finite length, for a scene's or a given bearing");
+  CLI::App* command = app.add_subcommand("model-error", words_of("model-error"));
   command->add_option("scene", options->scene, "Scene file (TOML)");
   command->add_option("--length", options->length, "Bearing length [m]");
   command->add_option("--radius", options->radius, "Journal radius [m]");

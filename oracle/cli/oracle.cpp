@@ -5,6 +5,7 @@
 
 #include "lubjoint/film/extent.hpp"
 #include "oracle/cli/bearing_options.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/state_rows.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/pinkus_sternlicht_report.hpp"
@@ -247,7 +248,7 @@ void add_oracle_difference(CLI::App& parent, Action& action) {
 }  // namespace
 
 void add_oracle(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("oracle", "Forces and pressures that do not come from the force laws");
+  CLI::App* command = app.add_subcommand("oracle", words_of("oracle"));
   command->require_subcommand(1);
   add_oracle_force(*command, action);
   add_oracle_pressure(*command, action);

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/scene/periodic_orbit.hpp"
+#include "lubjoint/scene/scene_period.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
+#include "oracle/cli/programs.hpp"
 
 namespace lubjoint::cli {
 
@@ -16,8 +18,7 @@ void add_periodic(CLI::App& app, Action& action) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "periodic", "A start from which a scene's motion repeats, by shooting: the scene anew on standard output");
+  CLI::App* command = app.add_subcommand("periodic", words_of("periodic"));
   command->add_option("scene", options->file, "Scene file (TOML)")->required();
   command->add_option("--period", options->period,
                       "Period [s]; without it, what drivers, tables and harmonic loads have in common");

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "oracle/cli/command.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/progress.hpp"
 

@@ -5,6 +5,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"
@@ -85,7 +86,7 @@ int reproduce(const ReproduceOptions& options) {
 
 void add_reproduce(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command = app.add_subcommand("reproduce", "The paper's examples with every law, checked; report.html");
+  CLI::App* command = app.add_subcommand("reproduce", words_of("reproduce"));
   command->add_option("--out", options->out, "Folder for report.html, CSV files and plots")->capture_default_str();
   command->add_option("--scenes", options->scenes, "Folder of the scenes that ship with the project");
   command->add_option(

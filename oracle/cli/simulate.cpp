@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/scene/journal_scene.hpp"
+#include "oracle/cli/programs.hpp"
 #include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
@@ -147,7 +148,7 @@ int simulate_in_space(const SpatialScene& scene, const Output& output) {
 void add_simulate(CLI::App& app, Action& action) {
   struct SimulateOptions : SceneOptions, LateOptions, Output {};
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand("simulate", "Run one scene: trajectory as CSV, and a summary");
+  CLI::App* command = app.add_subcommand("simulate", words_of("simulate"));
   options->add_file(*command);
   options->add_law(*command);
   options->add_run(*command);

@@ -8,6 +8,7 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/law_option.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/results/stability_map.hpp"
 #include "oracle/sweep/sweep_grid.hpp"
@@ -106,8 +107,7 @@ std::optional<reports::StabilityMap> map_of(const StabilityOptions& options) {
 
 void add_stability(CLI::App& app, Action& action) {
   auto options = std::make_shared<StabilityOptions>();
-  CLI::App* command = app.add_subcommand(
-      "stability", "Critical mass and speed of a rigid rotor on its film, and maps of its stability");
+  CLI::App* command = app.add_subcommand("stability", words_of("stability"));
   command->add_option("scene", options->scene, "Scene file of a journal in a bearing (TOML), or a bearing by options");
   command->add_option("--law", options->law, "Film law; in place of the scene's");
   command->add_option("--viscosity", options->viscosity, "Dynamic viscosity [Pa s]");

@@ -7,7 +7,7 @@
 #include "lubjoint/ode/integrators.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/files/data_folder.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/kept_rows.hpp"

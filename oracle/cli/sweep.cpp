@@ -1,4 +1,5 @@
 #include "oracle/sweep/sweep.hpp"
+#include "oracle/cli/programs.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -189,7 +190,7 @@ Result run_in_folder(const SweepOptions& options, const Sweep& sweep, const Shar
 
 void add_sweep(CLI::App& app, Action& action) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "A scene at every combination of some values: one row each");
+  CLI::App* command = app.add_subcommand("sweep", words_of("sweep"));
   options->add_file(*command);
   command
       ->add_option("--vary", options->vary,

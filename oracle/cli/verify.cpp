@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "lubjoint/film/compiled_laws.hpp"
-#include "oracle/cli/other_programs.hpp"
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/cli/verify_words.hpp"
 #include "oracle/files/files.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "lubjoint/scene/periodic_orbit.hpp"
+#include "lubjoint/scene/scene_period.hpp"
 
 namespace lubjoint::reports {
 

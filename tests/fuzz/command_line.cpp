@@ -23,6 +23,8 @@ void add_all(CLI::App& app, cli::Action& action) {
   cli::prepare(app);
   cli::add_reproduce(app, action);
   cli::add_simulate(app, action);
+  cli::add_assemble(app, action);
+  cli::add_periodic(app, action);
   cli::add_force(app, action);
   cli::add_losses(app, action);
   cli::add_mobility(app, action);
@@ -32,6 +34,7 @@ void add_all(CLI::App& app, cli::Action& action) {
   cli::add_compile_film(app, action);
   cli::add_oracle(app, action);
   cli::add_model_error(app, action);
+  cli::add_benchmark(app, action);
   cli::add_accuracy(app, action);
   cli::add_bench(app, action);
   cli::add_cost(app, action);

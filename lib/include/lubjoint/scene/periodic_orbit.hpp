@@ -2,7 +2,6 @@
 #pragma once
 
 #include <complex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,6 @@ struct PeriodicOrbit {
   /// Largest modulus of the multipliers, the factors by which a small deviation grows in a period: below 1 it dies out.
   double largest_multiplier = 0;
 };
-
-/// The period that a scene's drivers, tables and harmonic loads share; nothing if they have none in common, or if
-/// nothing in the scene repeats.
-std::optional<double> scene_period(const Scene& scene);
 
 /// Newton's method on P(z) − z, where z are the coordinates and velocities that the constraints leave free and P is a
 /// run of one period. P's derivatives are differences of runs; what they are off by slows the iteration, and is not in
