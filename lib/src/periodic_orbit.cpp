@@ -1,14 +1,17 @@
 #include "lubjoint/scene/periodic_orbit.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "multibody_simulation.hpp"
+#include "overloaded.hpp"
 
 namespace lubjoint {
 
@@ -25,7 +28,7 @@ constexpr std::size_t first_periods = 2;
 class FreeDirections {
  public:
   FreeDirections(const Scene& scene, const PlanarSystem<double>& system, const State& y)
-      : n_(static_cast<Eigen::Index>(system.coordinates())), reference_(y), unit_(2 * n_) {
+      : n_(static_cast<Eigen::Index>(system.coordinates())), unit_(2 * n_) {
     const SceneUnits units = scene_units(scene);
     for (Eigen::Index i = 0; i < n_; ++i) {
       unit_(i) = i % 3 == 2 ? units.angle : units.length;
@@ -84,7 +87,6 @@ class FreeDirections {
 
  private:
   Eigen::Index n_;
-  State reference_;
   Vector unit_;
   Eigen::MatrixXd basis_;
 };
@@ -141,13 +143,53 @@ bool holds(double time, double period) {
   return count >= 1 && std::abs(time - count * period) <= 1e-9 * time;
 }
 
+/// The largest modulus of a matrix's eigenvalues.
+struct Modulus {
+  double value;
+  double doubt;
+};
+
+/// How far the eigenvalue λ of A moves with A is ‖x‖‖y‖/|yᵀx| times the change, to first order, with its right and left
+/// eigenvectors x and y.
+/// @param error  what the matrix may be off by, in the 2-norm
+Modulus largest_modulus(const Eigen::MatrixXd& matrix, double error) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+  const Eigen::MatrixXcd right = solver.eigenvectors();
+  const Eigen::MatrixXcd left = right.inverse();
+  const Eigen::ArrayXd condition = right.colwise().norm().transpose().array() * left.rowwise().norm().array();
+  const Eigen::ArrayXd moduli = solver.eigenvalues().cwiseAbs().array();
+  const double largest = moduli.maxCoeff();
+  const double doubt = (moduli + error * condition).maxCoeff() - largest;  // another one may be the largest
+  return {largest, std::isfinite(doubt) ? doubt : std::numeric_limits<double>::infinity()};
+}
+
+/// What a driver's speed is to the period of its motion.
+enum class Way { turns, slides };
+
+/// Adds the periods of what a driver prescribes. @returns whether it repeats
+template <class AnyDriver>
+bool add_periods(const AnyDriver& driver, Way way, std::vector<double>& periods) {
+  if (driver.acceleration != 0 || (way == Way::slides && driver.speed != 0)) return false;
+  if (driver.speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver.speed));
+  if (!driver.shape) return true;
+  if (driver.shape->table) return false;
+  if (driver.shape->amplitude != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver.shape->rate));
+  return true;
+}
+
 }  // namespace
+
+int PeriodicOrbit::growth() const {
+  const double beyond = largest_multiplier - 1;
+  if (!(std::abs(beyond) > multiplier_doubt)) return 0;
+  return beyond < 0 ? -1 : 1;
+}
 
 std::optional<double> scene_period(const Scene& scene) {
   std::vector<double> periods;
   bool repeats = true;
   for (const SceneLoad& load : scene.loads) {
-    if (load.harmonic) periods.push_back(2 * std::numbers::pi / load.harmonic->rate);
+    if (load.harmonic) periods.push_back(2 * std::numbers::pi / std::abs(load.harmonic->rate));
     if (!load.table) continue;
     if (load.table->of_angle) {
       const std::optional<EvenTurn> turn = even_turn(scene, load.table->against);
@@ -159,10 +201,13 @@ std::optional<double> scene_period(const Scene& scene) {
     }
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (!each.is_driver()) continue;
-    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
-    repeats = repeats && driver != nullptr && driver->acceleration == 0 && !driver->shape;
-    if (repeats && driver->speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver->speed));
+    const bool of_each = std::visit(
+        Overloaded{[&](const Driver<double>& driver) { return add_periods(driver, Way::turns, periods); },
+                   [&](const SlideDriver<double>& driver) { return add_periods(driver, Way::slides, periods); },
+                   [](const GroundConstraint<double>&) { return true; }, [](const Revolute<double>&) { return true; },
+                   [](const Translational<double>&) { return true; }},
+        each.constraint);
+    repeats = repeats && of_each;
   }
   for (const SceneBody& body : scene.bodies) {
     if (body.spin_is_held && body.spin != 0) periods.push_back(2 * std::numbers::pi / std::abs(body.spin));
@@ -199,16 +244,28 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
   };
   for (std::size_t i = 0; i < first_periods; ++i) y = renewed(shooting.after_period(y));
   State end = shooting.after_period(y);
+  const auto slope_at = [&](double h) {
+    Eigen::MatrixXd slope(free.count(), free.count());
+    for (Eigen::Index k = 0; k < free.count(); ++k) {
+      const State other = shooting.on_constraints(free.moved(y, h * Vector::Unit(free.count(), k)));
+      slope.col(k) = free.between(end, shooting.after_period(other)) / h;
+    }
+    return slope;
+  };
   while (true) {
     const Vector miss = free.between(y, end);
     orbit.miss = miss.cwiseAbs().maxCoeff();
-    Eigen::MatrixXd slope(free.count(), free.count());
-    for (Eigen::Index k = 0; k < free.count(); ++k) {
-      const State other = shooting.on_constraints(free.moved(y, step_share * Vector::Unit(free.count(), k)));
-      slope.col(k) = free.between(end, shooting.after_period(other)) / step_share;
+    const Eigen::MatrixXd slope = slope_at(step_share);
+    if (orbit.miss <= tolerance) {
+      // Differences the other way: what both ways differ by is what the steps' length and the runs' errors leave.
+      const Eigen::MatrixXd other = slope_at(-step_share);
+      const Eigen::JacobiSVD<Eigen::MatrixXd> apart((slope - other) / 2);
+      const double error = apart.singularValues()(0) + scene.run.relative_tolerance / step_share;
+      const Modulus largest = largest_modulus((slope + other) / 2, error);
+      orbit.largest_multiplier = largest.value;
+      orbit.multiplier_doubt = largest.doubt;
+      break;
     }
-    orbit.largest_multiplier = slope.eigenvalues().cwiseAbs().maxCoeff();
-    if (orbit.miss <= tolerance) break;
     if (++orbit.iterations > most_iterations) {
       std::ostringstream message;
       message
