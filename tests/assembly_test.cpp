@@ -1,10 +1,12 @@
 // Loops of scenes closed from rough guesses, against closed forms; named points; the text that is written.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_assembly.hpp"
+#include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lubjoint;
@@ -227,6 +229,41 @@ TEST_CASE("assembly: what can't be closed, and names that are not there, are ref
                     Contains("\"crank\" is conflicting") && Contains("\"motor\""));
   // With the joint open, coupler and rocker are free.
   CHECK(assemble_scene(scene_of(1, 1), {{}, {"pin"}, 10}).freedoms == 2);
+}
+
+TEST_CASE("assemble: the command prints a scene that reads back, or JSON, or a list, and refuses mistakes in words") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("four-bar.toml", four_bar(0.9));
+  const SceneAssembly assembly = assemble_scene(rough(four_bar(0.9), file), {{{"motor", 1.2}}, {}, 200});
+  for (const std::string branch : {"1", "2"}) {
+    const ProgramResult written = lubjoint_program({"assemble", file, "--angle", "motor=1.2", "--branch", branch});
+    INFO(written.err);
+    CHECK(written.status == 0);
+    const Scene scene = parse_scene(written.out, file);
+    CHECK(scene_start<double>(scene) == assembly.branches[branch == "1" ? 0 : 1].state);
+  }
+  const ProgramResult json = lubjoint_program({"assemble", file, "--json"});
+  CHECK(json.status == 0);
+  CHECK(nlohmann::json::parse(json.out)["branches"].size() == 2);
+  const ProgramResult list = lubjoint_program({"assemble", file, "--list"});
+  CHECK(list.status == 0);
+  CHECK_THAT(list.out, Contains("2 branches from the guesses and"));
+  const auto refused = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"assemble", file};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProgramResult result = lubjoint_program(words);
+    CHECK(result.status == 2);
+    CHECK(result.out.empty());
+    return result.err;
+  };
+  CHECK_THAT(refused({"--branch", "99"}), Contains("--branch is 99; allowed is a number from 1 to 2"));
+  CHECK_THAT(refused({"--branch", "0"}), Contains("--branch is 0; allowed is a number from 1 to 2"));
+  CHECK_THAT(refused({"--angle", "motor=x"}), Contains("--angle is \"motor=x\"; allowed is NAME=VALUE"));
+  CHECK_THAT(refused({"--angle", "moter=1"}), Contains("did you mean motor?"));
+  // One output at a time: none of these is without effect.
+  CHECK_THAT(refused({"--json", "--list"}), Contains("--json") && Contains("--list"));
+  CHECK_THAT(refused({"--json", "--branch", "1"}), Contains("--json") && Contains("--branch"));
+  CHECK_THAT(refused({"--list", "--branch", "1"}), Contains("--list") && Contains("--branch"));
 }
 
 TEST_CASE("named points: what a body does not name is refused with what it does") {

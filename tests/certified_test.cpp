@@ -1,12 +1,16 @@
 // The enclosures, and the writer of the golden data.
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
 
+#include "lubjoint/scene/equilibrium.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "oracle/certified/film_coefficients.hpp"
 #include "oracle/certified/film_quadrature.hpp"
 #include "oracle/certified/golden.hpp"
 #include "oracle/certified/golden_states.hpp"
@@ -14,6 +18,7 @@
 #include "oracle/certified/overlap.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/published_forms.hpp"
+#include "support/linear_response.hpp"
 #include "support/run_program.hpp"
 
 using namespace lubjoint;
@@ -114,6 +119,42 @@ TEST_CASE("certified: a law that is wrong by 1e-20 does not overlap with the int
 TEST_CASE("certified: Pinkus and Sternlicht's law is the integral of no pressure, and is refused") {
   const FilmBalls film{Ball(0.5), Ball(1), Ball(1)};
   CHECK_THROWS_WITH(force_ratio_by_quadrature(Law::pinkus_sternlicht, film), Contains("no pressure"));
+}
+
+TEST_CASE("certified: the shipped rotor's stiffness, damping and linear orbit are those of the enclosures") {
+  const lubjoint::Scene ships = lubjoint::load_scene(LUBJOINT_SOURCE_DIR "/data/scenes/machines/rotor.toml");
+  lubjoint::Scene alone = ships;
+  alone.loads.clear();
+  const lubjoint::JournalEquilibrium rest = lubjoint::journal_equilibrium(alone);
+  const lubjoint::SceneJoint& joint = ships.joints[0];
+  const auto law =
+      std::find_if(laws.begin(), laws.end(), [&](const LawEntry& each) { return each.name == joint.film; });
+  REQUIRE(law != laws.end());
+  const SteadyBalls balls = steady_state(*law, {joint.viscosity, joint.length, joint.journal_radius, joint.clearance,
+                                                rest.eccentricity_ratio, ships.bodies[0].spin});
+  const auto middle = [](const Ball& ball) { return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR); };
+  const lubjoint::Vector2<double> weight = ships.bodies[0].mass * ships.gravity;
+  // Rounding of the law and of ε, by which the load changes some ten times as much.
+  CHECK(middle(balls.load) == Approx(weight.norm()).epsilon(1e-13));
+  // From the load's frame: x along it, y a quarter-turn counter-clockwise.
+  const lubjoint::Vector2<double> along = weight / weight.norm();
+  Eigen::Matrix2d turn;
+  turn << along.x(), -along.y(), along.y(), along.x();
+  Eigen::Matrix2d stiffness;
+  Eigen::Matrix2d damping;
+  stiffness << middle(balls.kxx), middle(balls.kxy), middle(balls.kyx), middle(balls.kyy);
+  damping << middle(balls.cxx), middle(balls.cxy), middle(balls.cyx), middle(balls.cyy);
+  lubjoint::JournalEquilibrium certified = rest;
+  certified.stiffness = turn * stiffness * turn.transpose();
+  certified.damping = turn * damping * turn.transpose();
+  // Rounding of derivatives, a hundred units of it.
+  CHECK((rest.stiffness - certified.stiffness).norm() < 1e-13 * certified.stiffness.norm());
+  CHECK((rest.damping - certified.damping).norm() < 1e-13 * certified.damping.norm());
+  const double unbalance = ships.loads[0].unbalance->mass_radius;
+  const Eigen::Vector2cd orbit = lubjoint::test::linear_response(ships, certified, unbalance, 1);
+  const Eigen::Vector2cd of_library = lubjoint::test::linear_response(ships, rest, unbalance, 1);
+  CHECK((orbit - of_library).norm() < 1e-12 * orbit.norm());  // those units by the condition of a system of two rows
+  CHECK((orbit - lubjoint::test::linear_response(ships, certified, unbalance, 1.001)).norm() > 1e-5 * orbit.norm());
 }
 
 TEST_CASE("certified digits: 30 of them, correct, with half a unit of the last, and exact numbers are exact") {

@@ -100,6 +100,32 @@ TEST_CASE("documentation: outputs shown are what the program prints") {
   CHECK(renewed(wrong, blocks) != wrong);
 }
 
+TEST_CASE("documentation: the README's table of commands names every command, and what benchmark does besides") {
+  const std::string text = read_text(LUBJOINT_SOURCE_DIR "/README.md");
+  const std::size_t start = text.find("\n## Commands\n");
+  REQUIRE(start != std::string::npos);
+  const std::string commands = text.substr(start, text.find("\n## ", start + 1) - start);
+  const std::string help = lubjoint_program({"--help"}).out;
+  const std::size_t list = help.find("Subcommands:\n");
+  REQUIRE(list != std::string::npos);
+  std::istringstream lines(help.substr(list));
+  std::string line;
+  std::getline(lines, line);
+  int names = 0;
+  while (std::getline(lines, line)) {
+    if (line.size() < 3 || line[2] == ' ') continue;  // the rest of a description
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    INFO(name);
+    const bool is_named =
+        commands.find("`" + name + "`") != std::string::npos || commands.find("`" + name + " ") != std::string::npos;
+    CHECK(is_named);
+    ++names;
+  }
+  CHECK(names >= 20);
+  CHECK_THAT(commands, Catch::Contains("--work-precision"));
+  CHECK_THAT(lubjoint_program({"benchmark", "--help"}).out, Catch::Contains("--work-precision"));
+}
+
 TEST_CASE("documentation: the accuracy that the README states is that of data/accuracy.csv") {
   std::map<std::string, std::pair<double, double>> largest;  // of ulp and of the share of |F|
   for (const CsvRow& row : read_csv(LUBJOINT_SOURCE_DIR "/data/accuracy.csv")) {

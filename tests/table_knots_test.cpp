@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "lubjoint/multibody/table_curves.hpp"
 #include "lubjoint/ode/integrators.hpp"
@@ -144,6 +145,23 @@ TEST_CASE("table knots: every integrator has its order across them, and has not 
                                Expected{"fehlberg78", 8, 1e-5, 1e-10}}) {
     CHECK(order_of(each.name, each.loose, each.tight, true) > each.order - 0.6);
     CHECK(order_of(each.name, each.loose, each.tight, false) < each.order - 0.6);
+    // Sizes of the same tolerance: a method's own error is within some few tolerances, that of a step over a kink is
+    // not.
     CHECK(run(each.name, each.tight, false).error > 10 * run(each.name, each.tight, true).error);
+  }
+}
+
+TEST_CASE("table knots: those that repeat, fall or are no finite numbers are refused") {
+  const auto table = [](const std::vector<double>& knots) {
+    return TableCurves<1>(knots, std::vector<std::array<TableCurves<1>::Cubic, 1>>(knots.size() - 1), false);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK_NOTHROW(table({0, 1, 2}));
+  const std::vector<std::vector<double>> wrong{{0, 1, 1},   {0, 0, 1},  {0, 2, 1},         {nan, 1, 2},     {0, nan, 2},
+                                               {0, 1, nan}, {nan, nan}, {-infinity, 0, 1}, {0, 1, infinity}};
+  for (const std::vector<double>& knots : wrong) {
+    INFO(knots.size() << " knots, the last " << knots.back());
+    CHECK_THROWS_AS(table(knots), std::invalid_argument);
   }
 }

@@ -115,7 +115,17 @@ TEST_CASE("tables: what a file may not say is refused with its line, and so is w
   CHECK(with("t,fx\n0,1\n1,1\n", on_free + "periodic = true\n") == "accepted");
   CHECK_THAT(with("t,fx\n0,1\n1,3\n", on_free + "periodic = true\n"),
              Contains("a periodic table whose fx is 1 in its first row and 3 in its last"));
-  CHECK_THAT(with("t,fx\n0,1\n1e-9,1\n", on_free + "periodic = true\n"), Contains("at most 1000000 rows in a run"));
+  CHECK_THAT(with("t,fx\n0,1\n1e-9,1\n", on_free + "periodic = true\n"),
+             Contains("a table whose rows the run passes 2e+09 times; allowed is at most 1000000 rows in a run"));
+  {  // or by the duration that a run is given
+    CHECK(with("t,fx\n0,1\n1e-3,1\n", on_free + "periodic = true\n") == "accepted");
+    Scene longer = load_scene(files.folder / "s.toml");
+    CHECK(scene_knots(longer).size() == 1999);  // within 2 s
+    longer.run.duration = 1e9;
+    CHECK_THROWS_WITH(
+        simulate_multibody(longer),
+        Contains("loads[0] has a table whose rows the run passes 1e+12 times; allowed are at most 1000000"));
+  }
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "interpolation = \"cubic\"\n"),
              Contains("interpolation is \"cubic\"; allowed is one of linear, pchip, makima"));
   CHECK_THAT(with("t,fx\n0,1\n2,3\n", on_free + "interpolation = \"pchip\"\n"), Contains("four rows or more"));
@@ -134,6 +144,22 @@ TEST_CASE("tables: what a file may not say is refused with its line, and so is w
              Contains("such a table always is periodic"));
   CHECK_THAT(with("angle,moment\n0,1\n360,1\n", on_rotor + "against = \"rotor\"\n"),
              Contains("a table over 360 rad of angle") && Contains("angles are in rad"));
+  // An end that is put at its whole revolutions stays above the row before it.
+  CHECK_THAT(
+      with("# rad\nangle,moment\n0,1\n6.2831855,2\n6.283186,1\n", on_rotor + "against = \"rotor\"\n"),
+      Contains("f.csv:4: angle is 6.2831855 rad in the last row but one; allowed is an angle below the end of the "
+               "table's whole revolutions, 6.28318530718 rad"));
+  // Columns of a force are a force, whatever stands in them.
+  CHECK(with("t,fx,fy,moment\n0,0,0,1\n2,0,0,3\n", on_free + "point = [0.1, 0.0]\n") == "accepted");
+  // A body that a motor turns passes the rows of a table as often as its speed says: refused by the run's own duration.
+  const std::string spun = on_rotor + "against = \"rotor\"\n[[constraints]]\nname = \"motor\"\ntype = \"driver\"\n" +
+                           "body = \"rotor\"\nspeed = 3.0\n";
+  CHECK(with(turn, spun) == "accepted");
+  Scene fast = load_scene(files.folder / "s.toml");
+  CHECK(scene_knots(fast).size() == 1);  // 3 rad alone: the run ends at 6 rad
+  fast.run.duration = 1e9;
+  CHECK_THROWS_WITH(simulate_multibody(fast),
+                    Contains("loads[0] has a table whose rows the run passes 9.5493e+08 times"));
   // The command line may ask for more than the file covers.
   files.folder.write("f.csv", "t,fx\n0,1\n2,3\n");
   Scene scene = load_scene(files.scene(on_free));

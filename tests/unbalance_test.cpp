@@ -1,11 +1,10 @@
 // A rotor with an unbalance in its film, against the linear coefficients of its steady state.
-#include <Eigen/LU>
 #include <catch2/catch.hpp>
-#include <complex>
 
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
+#include "support/linear_response.hpp"
 #include "support/scenes.hpp"
 
 using namespace lubjoint;
@@ -13,33 +12,19 @@ using namespace lubjoint::test;
 
 namespace {
 
-using Complex = std::complex<double>;
-using Response = Eigen::Vector2cd;
-
-/// Z of the orbit e₀ + Re(Z exp(iωt)) that a small unbalance U makes: (K − mω² + iωC) Z = Uω² (1, −i).
-Response linear_response(const Scene& scene, const JournalEquilibrium& rest, double unbalance, double factor) {
-  const double omega = scene.bodies[0].spin;
-  const Complex i(0, 1);
-  const Eigen::Matrix2cd matrix = factor * rest.stiffness.cast<Complex>() + i * omega * rest.damping.cast<Complex>() -
-                                  scene.bodies[0].mass * omega * omega * Eigen::Matrix2cd::Identity();
-  return matrix.inverse() * Response(unbalance * omega * omega, -i * unbalance * omega * omega);
-}
-
 /// Largest distance from that orbit of a run that starts on it, in clearances.
 double distance_from_linear(Scene scene, double unbalance, double factor) {
   const JournalEquilibrium rest = journal_equilibrium(scene);
   const double c = scene.joints[0].clearance;
   const double omega = scene.bodies[0].spin;
-  const Response z = linear_response(scene, rest, unbalance, factor);
-  const auto orbit = [&](double t) {
-    return Vector2<double>(c * rest.eccentricity + (z * std::polar(1.0, omega * t)).real());
-  };
+  const Eigen::Vector2cd z = linear_response(scene, rest, unbalance, factor);
+  const auto orbit = [&](double t) { return on_linear_orbit(scene, rest, z, t); };
   SceneLoad load;
   load.unbalance = SceneUnbalance{unbalance, 0};
   scene.loads.push_back(load);
   scene.bodies[0].spin_is_held = true;
   scene.bodies[0].position = scene.joints[0].bearing.point + orbit(0);
-  scene.bodies[0].velocity = (Complex(0, omega) * z).real();
+  scene.bodies[0].velocity = (std::complex<double>(0, omega) * z).real();
   const MultibodyTrajectory run = simulate_multibody(scene);
   REQUIRE(run.outcome.status == RunStatus::finished);
   double largest = 0;

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "multibody_simulation.hpp"
+#include "overloaded.hpp"
+#include "scene_tables.hpp"
 
 namespace lubjoint {
 
@@ -98,34 +99,32 @@ SceneUnits scene_units(const Scene& scene) {
       if (!load.table->of_angle) at_least(2 * std::numbers::pi / load.table->curves->length());
     }
   }
+  const auto of_spring = Overloaded{[&](const TranslationalSpring<double>& spring, std::size_t b) {
+                                      at_least(std::sqrt(spring.stiffness / scene.bodies[b].mass));
+                                      units.energy += std::abs(spring.preload) * units.mechanism;
+                                    },
+                                    [&](const RotationalSpring<double>& spring, std::size_t b) {
+                                      at_least(std::sqrt(spring.stiffness / scene.bodies[b].inertia));
+                                    }};
   for (const SceneSpring& each : scene.springs) {
     for (const std::size_t b : {each.first_body(), each.second_body()}) {
-      if (b == ground_body) continue;
-      if (const auto* spring = std::get_if<TranslationalSpring<double>>(&each.spring)) {
-        at_least(std::sqrt(spring->stiffness / scene.bodies[b].mass));
-        units.energy += std::abs(spring->preload) * units.mechanism;
-      } else {
-        at_least(std::sqrt(std::get<RotationalSpring<double>>(each.spring).stiffness / scene.bodies[b].inertia));
-      }
+      if (b != ground_body) std::visit([&](const auto& spring) { of_spring(spring, b); }, each.spring);
     }
   }
+  const auto at_least_of_driver = [&](const auto& driver, double unit) {  // of its motion: rad, or m
+    at_least(driver.speed / unit);
+    if (!driver.shape) return;
+    if (driver.shape->amplitude != 0) at_least(driver.shape->rate);
+    if (!driver.shape->table) return;
+    const TableCurves<1>& table = *driver.shape->table;
+    for (const double knot : table.knots()) at_least(table.with_derivatives(knot).slope[0] / unit);
+  };
   for (const SceneConstraint& each : scene.constraints) {
-    const auto at_least_of_shape = [&](const auto& driver) {
-      if (!driver.shape) return;
-      if (driver.shape->amplitude != 0) at_least(driver.shape->rate);
-      if (!driver.shape->table) return;
-      const TableCurves<1>& table = *driver.shape->table;
-      const double unit = std::is_same_v<std::decay_t<decltype(driver)>, SlideDriver<double>> ? units.mechanism : 1;
-      for (const double knot : table.knots()) at_least(table.with_derivatives(knot).slope[0] / unit);
-    };
-    if (const auto* driver = std::get_if<Driver<double>>(&each.constraint)) {
-      at_least(driver->speed);
-      at_least_of_shape(*driver);
-    }
-    if (const auto* driver = std::get_if<SlideDriver<double>>(&each.constraint)) {
-      at_least(driver->speed / units.mechanism);
-      at_least_of_shape(*driver);
-    }
+    std::visit(Overloaded{[&](const Driver<double>& driver) { at_least_of_driver(driver, 1); },
+                          [&](const SlideDriver<double>& driver) { at_least_of_driver(driver, units.mechanism); },
+                          [](const GroundConstraint<double>&) {}, [](const Revolute<double>&) {},
+                          [](const Translational<double>&) {}},
+               each.constraint);
   }
   for (const SceneBody& body : scene.bodies) {
     units.energy = std::max(units.energy, body.mass * std::pow(units.length * units.rate, 2));
@@ -138,23 +137,38 @@ namespace {
 /// A table that is not periodic has nothing beyond its ends. The duration may be another than that of the file.
 template <std::size_t N>
 void require_cover(const Scene& scene, const std::string& what, const TableCurves<N>& curves, double delay) {
-  const double first = curves.knots().front();
-  const double last = curves.knots().back();
   const double end = delay + scene.run.duration;
-  // The rest of a run that is cut in two ends where the whole one ends, to rounding.
-  if (curves.is_periodic() || (first <= delay && last >= end * (1 - 1e-14))) return;
+  if (curves.is_periodic() || covers(curves.knots(), delay, end)) return;
   std::ostringstream message;
-  message << scene.file << ": " << what << " has a table from " << first << " s to " << last
-          << " s, and the run needs it from " << delay << " s to " << end
+  message << scene.file << ": " << what << " has a table from " << curves.knots().front() << " s to "
+          << curves.knots().back() << " s, and the run needs it from " << delay << " s to " << end
           << " s; allowed is a table that covers the run, or a shorter duration";
   throw SceneError(message.str());
 }
 
-void require_cover(const Scene& scene) {
+/// The passages of a periodic table's knots are listed before the run.
+/// @param way  of the table's variable in the run
+void require_few_passages(const Scene& scene, const std::string& what, const TableCurves<3>& curves, double way) {
+  const double count = passages(curves.knots(), way);
+  if (count <= static_cast<double>(most_rows)) return;
+  std::ostringstream message;
+  message << scene.file << ": " << what << " has a table whose rows the run passes " << count
+          << " times; allowed are at most " << most_rows << " rows in a run, or a shorter duration";
+  throw SceneError(message.str());
+}
+
+/// Refuses tables that the run leaves, or repeats too often.
+void require_tables(const Scene& scene) {
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const std::optional<SceneTable>& table = scene.loads[l].table;
-    if (table && !table->of_angle)
-      require_cover(scene, "loads[" + std::to_string(l) + "]", *table->curves, table->delay);
+    if (!table) continue;
+    const std::string what = "loads[" + std::to_string(l) + "]";
+    if (!table->of_angle) {
+      require_cover(scene, what, *table->curves, table->delay);
+      if (table->curves->is_periodic()) require_few_passages(scene, what, *table->curves, scene.run.duration);
+    } else if (const std::optional<EvenTurn> turn = even_turn(scene, table->against)) {
+      require_few_passages(scene, what, *table->curves, std::abs(turn->speed) * scene.run.duration);
+    }
   }
   for (const SceneConstraint& each : scene.constraints) {
     std::visit(
@@ -173,7 +187,7 @@ void require_cover(const Scene& scene) {
 namespace detail {
 
 PreparedScene prepare(const Scene& scene) {
-  require_cover(scene);
+  require_tables(scene);
   PreparedScene prepared{planar_system<double>(scene), scene_start<double>(scene), {}};
   try {
     prepared.correction = assemble_start(prepared.system, 0.0, scene_units(scene).mechanism, prepared.start);

@@ -1,8 +1,10 @@
 #include "lubjoint/scene/periodic_orbit.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -25,7 +27,7 @@ constexpr std::size_t first_periods = 2;
 class FreeDirections {
  public:
   FreeDirections(const Scene& scene, const PlanarSystem<double>& system, const State& y)
-      : n_(static_cast<Eigen::Index>(system.coordinates())), reference_(y), unit_(2 * n_) {
+      : n_(static_cast<Eigen::Index>(system.coordinates())), unit_(2 * n_) {
     const SceneUnits units = scene_units(scene);
     for (Eigen::Index i = 0; i < n_; ++i) {
       unit_(i) = i % 3 == 2 ? units.angle : units.length;
@@ -84,7 +86,6 @@ class FreeDirections {
 
  private:
   Eigen::Index n_;
-  State reference_;
   Vector unit_;
   Eigen::MatrixXd basis_;
 };
@@ -135,7 +136,33 @@ class Shooting {
   Scene scene_;
 };
 
+/// The largest modulus of a matrix's eigenvalues.
+struct Modulus {
+  double value;
+  double doubt;
+};
+
+/// How far the eigenvalue λ of A moves with A is ‖x‖‖y‖/|yᵀx| times the change, to first order, with its right and left
+/// eigenvectors x and y.
+/// @param error  what the matrix may be off by, in the 2-norm
+Modulus largest_modulus(const Eigen::MatrixXd& matrix, double error) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+  const Eigen::MatrixXcd right = solver.eigenvectors();
+  const Eigen::MatrixXcd left = right.inverse();
+  const Eigen::ArrayXd condition = right.colwise().norm().transpose().array() * left.rowwise().norm().array();
+  const Eigen::ArrayXd moduli = solver.eigenvalues().cwiseAbs().array();
+  const double largest = moduli.maxCoeff();
+  const double doubt = (moduli + error * condition).maxCoeff() - largest;  // another one may be the largest
+  return {largest, std::isfinite(doubt) ? doubt : std::numeric_limits<double>::infinity()};
+}
+
 }  // namespace
+
+int PeriodicOrbit::growth() const {
+  const double beyond = largest_multiplier - 1;
+  if (!(std::abs(beyond) > multiplier_doubt)) return 0;
+  return beyond < 0 ? -1 : 1;
+}
 
 PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance) {
   if (is_free_journal(scene)) {
@@ -160,16 +187,28 @@ PeriodicOrbit periodic_orbit(const Scene& scene, double period, double tolerance
   };
   for (std::size_t i = 0; i < first_periods; ++i) y = renewed(shooting.after_period(y));
   State end = shooting.after_period(y);
+  const auto slope_at = [&](double h) {
+    Eigen::MatrixXd slope(free.count(), free.count());
+    for (Eigen::Index k = 0; k < free.count(); ++k) {
+      const State other = shooting.on_constraints(free.moved(y, h * Vector::Unit(free.count(), k)));
+      slope.col(k) = free.between(end, shooting.after_period(other)) / h;
+    }
+    return slope;
+  };
   while (true) {
     const Vector miss = free.between(y, end);
     orbit.miss = miss.cwiseAbs().maxCoeff();
-    Eigen::MatrixXd slope(free.count(), free.count());
-    for (Eigen::Index k = 0; k < free.count(); ++k) {
-      const State other = shooting.on_constraints(free.moved(y, step_share * Vector::Unit(free.count(), k)));
-      slope.col(k) = free.between(end, shooting.after_period(other)) / step_share;
+    const Eigen::MatrixXd slope = slope_at(step_share);
+    if (orbit.miss <= tolerance) {
+      // Differences the other way: what both ways differ by is what the steps' length and the runs' errors leave.
+      const Eigen::MatrixXd other = slope_at(-step_share);
+      const Eigen::JacobiSVD<Eigen::MatrixXd> apart((slope - other) / 2);
+      const double error = apart.singularValues()(0) + scene.run.relative_tolerance / step_share;
+      const Modulus largest = largest_modulus((slope + other) / 2, error);
+      orbit.largest_multiplier = largest.value;
+      orbit.multiplier_doubt = largest.doubt;
+      break;
     }
-    orbit.largest_multiplier = slope.eigenvalues().cwiseAbs().maxCoeff();
-    if (orbit.miss <= tolerance) break;
     if (++orbit.iterations > most_iterations) {
       std::ostringstream message;
       message

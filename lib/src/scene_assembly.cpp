@@ -160,7 +160,7 @@ double distance_between(const PlanarSystem<double>& system, const State& a, cons
   return std::sqrt(sum);
 }
 
-/// Whole turns of the angles that no constraint on their sums needs: as near the guesses as they can be.
+/// The largest changes from one state to another, of each kind.
 StartCorrection<double> correction_of(const State& from, const State& to) {
   StartCorrection<double> correction;
   const std::size_t n = from.size() / 2;

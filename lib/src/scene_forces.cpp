@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lubjoint/text/nearest_name.hpp"
 #include "scene_parts.hpp"
@@ -32,16 +33,6 @@ SceneUnbalance read_unbalance(TableReader table) {
   unbalance.phase = table.number_or("phase", 0, Allowed::any, "rad");
   table.finish();
   return unbalance;
-}
-
-/// Has a table of loads a force that is not 0 everywhere?
-bool has_force_columns(const SceneTable& table) {
-  const auto acts = [](const std::array<TableCurves<3>::Cubic, 3>& piece) {
-    return std::any_of(piece.begin(), piece.begin() + 2, [](const auto& cubic) {
-      return std::any_of(cubic.begin(), cubic.end(), [](double c) { return c != 0; });
-    });
-  };
-  return std::any_of(table.curves->pieces().begin(), table.curves->pieces().end(), acts);
 }
 
 /// A rotational spring acts about the pin that it names.
@@ -121,8 +112,9 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
   }
   bool has_force = !table.has("moment") || table.has("force");
   if (table.has("table")) {
-    load.table = read_load_table(table, scene);
-    has_force = has_force_columns(*load.table);
+    LoadTable read = read_load_table(table, scene);
+    load.table = std::move(read.table);
+    has_force = read.has_force;
   } else {
     if (has_force) load.force = table.vector("force", "N");
     load.moment = table.number_or("moment", 0, Allowed::any, "N m");

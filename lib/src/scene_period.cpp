@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 #include <vector>
 
+#include "overloaded.hpp"
 #include "scene_tables.hpp"
 
 namespace lubjoint {
@@ -17,13 +19,27 @@ bool holds(double time, double period) {
   return count >= 1 && std::abs(time - count * period) <= 1e-9 * time;
 }
 
+/// What a driver's speed is to the period of its motion.
+enum class Way { turns, slides };
+
+/// Adds the periods of what a driver prescribes. @returns whether it repeats
+template <class AnyDriver>
+bool add_periods(const AnyDriver& driver, Way way, std::vector<double>& periods) {
+  if (driver.acceleration != 0 || (way == Way::slides && driver.speed != 0)) return false;
+  if (driver.speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver.speed));
+  if (!driver.shape) return true;
+  if (driver.shape->table) return false;
+  if (driver.shape->amplitude != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver.shape->rate));
+  return true;
+}
+
 }  // namespace
 
 std::optional<double> scene_period(const Scene& scene) {
   std::vector<double> periods;
   bool repeats = true;
   for (const SceneLoad& load : scene.loads) {
-    if (load.harmonic) periods.push_back(2 * std::numbers::pi / load.harmonic->rate);
+    if (load.harmonic) periods.push_back(2 * std::numbers::pi / std::abs(load.harmonic->rate));
     if (!load.table) continue;
     if (load.table->of_angle) {
       const std::optional<EvenTurn> turn = even_turn(scene, load.table->against);
@@ -35,10 +51,13 @@ std::optional<double> scene_period(const Scene& scene) {
     }
   }
   for (const SceneConstraint& each : scene.constraints) {
-    if (!each.is_driver()) continue;
-    const auto* driver = std::get_if<Driver<double>>(&each.constraint);
-    repeats = repeats && driver != nullptr && driver->acceleration == 0 && !driver->shape;
-    if (repeats && driver->speed != 0) periods.push_back(2 * std::numbers::pi / std::abs(driver->speed));
+    const bool of_each = std::visit(
+        Overloaded{[&](const Driver<double>& driver) { return add_periods(driver, Way::turns, periods); },
+                   [&](const SlideDriver<double>& driver) { return add_periods(driver, Way::slides, periods); },
+                   [](const GroundConstraint<double>&) { return true; }, [](const Revolute<double>&) { return true; },
+                   [](const Translational<double>&) { return true; }},
+        each.constraint);
+    repeats = repeats && of_each;
   }
   for (const SceneBody& body : scene.bodies) {
     if (body.spin_is_held && body.spin != 0) periods.push_back(2 * std::numbers::pi / std::abs(body.spin));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 
@@ -22,9 +23,6 @@ namespace lubjoint {
 namespace {
 
 using Cubic = TableCurves<1>::Cubic;
-
-/// More rows, or knots along a run, are a slip of the pen.
-constexpr std::size_t most_rows = 1'000'000;
 
 constexpr std::array<std::string_view, 3> interpolations = {"linear", "pchip", "makima"};
 
@@ -89,7 +87,8 @@ void read_row(const Place& place, std::string_view line, TableColumns& result) {
     }
     column.push_back(value);
   }
-  if (result.columns[0].size() > most_rows) place.refuse("more than 1000000 rows", "fewer");
+  result.lines.push_back(place.line);
+  if (result.columns[0].size() > most_rows) place.refuse("more than " + std::to_string(most_rows) + " rows", "fewer");
 }
 
 std::filesystem::path beside_scene(const TableReader& table, const std::string& given) {
@@ -131,13 +130,14 @@ std::vector<double> slopes_at(const std::vector<double>& knots, const std::vecto
 
 /// Refuses what a run of the scene would read beyond the ends of a table that is not periodic.
 void require_cover(const TableReader& table, const std::vector<double>& t, double duration) {
-  if (t.front() <= 0 && t.back() >= duration) return;
+  if (covers(t, 0, duration)) return;
   table.refuse("table", "a table from " + with_unit(t.front(), "s") + " to " + with_unit(t.back(), "s"),
                "one that covers the run, 0 s to " + with_unit(duration, "s") + ", or periodic = true for a load");
 }
 
 /// The length of an angle's table as whole revolutions; what its digits leave out is put right.
-void make_whole_revolutions(const TableReader& table, std::vector<double>& angles) {
+void make_whole_revolutions(const TableReader& table, TableColumns& given) {
+  std::vector<double>& angles = given.columns[0];
   const double revolution = 2 * std::numbers::pi;
   const double length = angles.back() - angles.front();
   const double turns = std::round(length / revolution);
@@ -145,7 +145,16 @@ void make_whole_revolutions(const TableReader& table, std::vector<double>& angle
     table.refuse("table", "a table over " + with_unit(length, "rad") + " of angle",
                  "one over whole revolutions, multiples of 6.283185307179586 rad; angles are in rad");
   }
-  angles.back() = angles.front() + turns * revolution;
+  const double end = angles.front() + turns * revolution;
+  const std::size_t before = angles.size() - 2;
+  if (!(angles[before] < end)) {
+    std::ostringstream row;  // in more digits than those that are the same
+    std::ostringstream limit;
+    row << "angle is " << std::setprecision(12) << angles[before] << " rad in the last row but one";
+    limit << "an angle below the end of the table's whole revolutions, " << std::setprecision(12) << end << " rad";
+    Place{given.file, given.lines[before]}.refuse(row.str(), limit.str());
+  }
+  angles.back() = end;
 }
 
 }  // namespace
@@ -166,7 +175,8 @@ TableColumns read_table_file(TableReader& table, const std::vector<std::string_v
   }
   std::ifstream stream(path, std::ios::binary);
   TableColumns result;
-  Place place{path.string(), 0};
+  result.file = path.string();
+  Place place{result.file, 0};
   for (std::string line; std::getline(stream, line);) {
     ++place.line;
     const std::string_view text = trimmed(line);
@@ -186,6 +196,14 @@ TableColumns read_table_file(TableReader& table, const std::vector<std::string_v
     place.refuse("the table has " + std::to_string(result.columns[0].size()) + " rows", "two or more");
   }
   return result;
+}
+
+double passages(const std::vector<double>& knots, double way) {
+  return static_cast<double>(knots.size() - 1) * way / (knots.back() - knots.front());
+}
+
+bool covers(const std::vector<double>& knots, double from, double to) {
+  return knots.front() <= from && knots.back() >= to * (1 - 1e-14);
 }
 
 std::vector<Cubic> interpolated(const std::vector<double>& knots, const std::vector<double>& values,
@@ -244,7 +262,7 @@ std::vector<Cubic> spline(const std::vector<double>& x, const std::vector<double
   return pieces;
 }
 
-SceneTable read_load_table(TableReader& table, const Scene& scene) {
+LoadTable read_load_table(TableReader& table, const Scene& scene) {
   SceneTable result;
   TableColumns given = read_table_file(table, {"t", "angle"}, {"fx", "fy", "moment"});
   std::vector<double>& knots = given.columns[0];
@@ -259,7 +277,7 @@ SceneTable read_load_table(TableReader& table, const Scene& scene) {
     if (table.has("periodic")) {
       table.refuse("periodic", "given for a table over an angle", "none: such a table always is periodic");
     }
-    make_whole_revolutions(table, knots);
+    make_whole_revolutions(table, given);
   } else if (table.has("against")) {
     table.refuse("against", "given for a table over t", "none, or a table whose first column is angle");
   }
@@ -267,12 +285,13 @@ SceneTable read_load_table(TableReader& table, const Scene& scene) {
     table.refuse("interpolation", in_quotes(interpolation) + " of " + std::to_string(knots.size()) + " rows",
                  "four rows or more, or \"linear\"");
   }
-  if (!periodic) require_cover(table, knots, scene.run.duration);
-  if (periodic && !result.of_angle) {
-    const double count = static_cast<double>(knots.size()) * scene.run.duration / (knots.back() - knots.front());
+  if (!periodic) {
+    require_cover(table, knots, scene.run.duration);
+  } else if (!result.of_angle) {
+    const double count = passages(knots, scene.run.duration);
     if (count > static_cast<double>(most_rows)) {
-      table.refuse("table", "a table that the run repeats until it has " + with_unit(count, "rows"),
-                   "at most 1000000 rows in a run");
+      table.refuse("table", "a table whose rows the run passes " + with_unit(count, "times"),
+                   "at most " + std::to_string(most_rows) + " rows in a run");
     }
   }
   std::vector<std::array<Cubic, 3>> pieces(knots.size() - 1, std::array<Cubic, 3>{});
@@ -290,7 +309,7 @@ SceneTable read_load_table(TableReader& table, const Scene& scene) {
     for (std::size_t k = 0; k < pieces.size(); ++k) pieces[k][i] = of_column[k];
   }
   result.curves = std::make_shared<const TableCurves<3>>(knots, std::move(pieces), periodic);
-  return result;
+  return {result, given.find("fx") != nullptr || given.find("fy") != nullptr};
 }
 
 std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, const Scene& scene,

@@ -15,6 +15,8 @@ namespace lubjoint {
 struct TableColumns {
   std::vector<std::string> names;            ///< of the file's header
   std::vector<std::vector<double>> columns;  ///< in that order, all of one length, two rows or more
+  std::string file;                          ///< that they are from, for messages
+  std::vector<std::size_t> lines;            ///< of each row there
 
   /// @returns nothing if there is none of that name
   const std::vector<double>* find(std::string_view name) const;
@@ -35,8 +37,24 @@ std::vector<TableCurves<3>::Cubic> interpolated(const std::vector<double>& knots
 /// second and the last knot but one ("not a knot").
 std::vector<TableCurves<1>::Cubic> spline(const std::vector<double>& knots, const std::vector<double>& values);
 
+/// More rows, or passages of knots in a run, are a slip of the pen.
+inline constexpr std::size_t most_rows = 1'000'000;
+
+/// How often the variable of a periodic table meets its knots on a way of some length.
+double passages(const std::vector<double>& knots, double way);
+
+/// Does a table with these knots, ascending, reach from one place to another? Its end may be short by rounding: the
+/// rest of a run that is cut in two ends where the whole one does.
+bool covers(const std::vector<double>& knots, double from, double to);
+
+/// A load's table, and whether it has a force.
+struct LoadTable {
+  SceneTable table;
+  bool has_force;  ///< is there a column fx or fy, whatever stands in it?
+};
+
 /// A load's table and the keys that say how it is read.
-SceneTable read_load_table(TableReader& table, const Scene& scene);
+LoadTable read_load_table(TableReader& table, const Scene& scene);
 
 /// A table of time of the motion that a driver prescribes.
 /// @param quantity  what its second column is called

@@ -41,9 +41,11 @@ void add_assemble(CLI::App& app, Action& action) {
   command->add_option("--angle", options->angles,
                       "NAME=VALUE: angle of a driver, or of a body that is held for the assembly [rad]");
   command->add_option("--open", options->open, "Joints whose journals stay where they are; all others are centred");
-  command->add_option("--branch", options->branch, "Which of the branches: 1 is that of the guesses");
-  command->add_flag("--list", options->list, "The branches alone, without a scene");
-  command->add_flag("--json", options->json, "The same as one JSON object");
+  CLI::Option* branch =
+      command->add_option("--branch", options->branch, "Which of the branches: 1 is that of the guesses");
+  CLI::Option* list =
+      command->add_flag("--list", options->list, "The branches alone, without a scene")->excludes(branch);
+  command->add_flag("--json", options->json, "The same as one JSON object")->excludes(branch)->excludes(list);
   command->callback([options, &action] {
     action = [options] {
       AssemblyRequest request;

@@ -11,6 +11,21 @@
 
 namespace lubjoint::cli {
 
+namespace {
+
+const char* growth_words(const PeriodicOrbit& orbit) {
+  switch (orbit.growth()) {
+    case -1:
+      return "small deviations die out";
+    case 1:
+      return "small deviations grow";
+    default:
+      return "it can't be told from 1, and so not whether small deviations die out or grow";
+  }
+}
+
+}  // namespace
+
 void add_periodic(CLI::App& app, Action& action) {
   struct Options {
     std::string file;
@@ -42,9 +57,13 @@ void add_periodic(CLI::App& app, Action& action) {
       const double tolerance = options->tolerance.value_or(100 * scene.run.relative_tolerance);
       const PeriodicOrbit orbit = periodic_orbit(scene, *period, tolerance);
       if (options->json) {
-        const nlohmann::ordered_json json{{"scene", scene.name}, {"period", orbit.period},
-                                          {"miss", orbit.miss},  {"iterations", orbit.iterations},
-                                          {"runs", orbit.runs},  {"largest_multiplier", orbit.largest_multiplier},
+        const nlohmann::ordered_json json{{"scene", scene.name},
+                                          {"period", orbit.period},
+                                          {"miss", orbit.miss},
+                                          {"iterations", orbit.iterations},
+                                          {"runs", orbit.runs},
+                                          {"largest_multiplier", orbit.largest_multiplier},
+                                          {"multiplier_doubt", orbit.multiplier_doubt},  // null: unknown
                                           {"state", orbit.state}};
         std::cout << json.dump(2) << '\n';
         return 0;
@@ -52,9 +71,9 @@ void add_periodic(CLI::App& app, Action& action) {
       std::cout << with_start(file, scene, orbit.state);
       std::cerr << fmt::format(
           "period       {:.10g} s\nmiss         {:.2g} clearances after {} iterations, {} runs of a period\n"
-          "multiplier   {:.4g}, the largest: {}\n",
-          orbit.period, orbit.miss, orbit.iterations, orbit.runs, orbit.largest_multiplier,
-          orbit.largest_multiplier < 1 ? "small deviations die out" : "small deviations grow");
+          "multiplier   {:.4g}, the largest, from differences good to {:.1g}: {}\n",
+          orbit.period, orbit.miss, orbit.iterations, orbit.runs, orbit.largest_multiplier, orbit.multiplier_doubt,
+          growth_words(orbit));
       return 0;
     };
   });

@@ -52,6 +52,18 @@ std::optional<double> value_at(const TrajectoryTable& table, const std::string& 
   return std::nullopt;
 }
 
+/// Largest |difference| from a published place or angle; none if there is no such row, or one that was not reached.
+std::optional<double> largest_error(const std::vector<BenchmarkRow>& rows) {
+  std::optional<double> largest;
+  for (const BenchmarkRow& row : rows) {
+    if (row.quantity == residual_name) continue;
+    const std::optional<double> difference = row.difference();
+    if (!difference) return std::nullopt;
+    largest = std::max(largest.value_or(0), std::abs(*difference));
+  }
+  return largest;
+}
+
 std::string shown(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
@@ -115,13 +127,7 @@ std::vector<WorkPrecision> work_precision(const std::string& name, const std::fi
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       const BenchmarkRun run = run_benchmark(name, literature, scenes, tolerance, std::string(integrator), 100'000);
       WorkPrecision point{name, run.integrator, tolerance, std::nullopt, run.seconds, run.steps};
-      if (run.message.empty()) {
-        point.error = 0;
-        for (const BenchmarkRow& row : run.rows) {
-          if (row.quantity == residual_name) continue;
-          if (const auto difference = row.difference()) point.error = std::max(*point.error, std::abs(*difference));
-        }
-      }
+      if (run.message.empty()) point.error = largest_error(run.rows);
       points.push_back(std::move(point));
     }
   }

@@ -53,12 +53,14 @@ BenchmarkRun run_benchmark(const std::string& name, const std::filesystem::path&
 
 /// A point of a work-precision line: what an error costs.
 struct WorkPrecision {
-  std::string name;             ///< of the problem
-  std::string integrator;       ///< that ran it
-  double tolerance = 0;         ///< relative and absolute
-  std::optional<double> error;  ///< largest |difference| from a published number [m or rad]; none if the run stopped
-  double seconds = 0;           ///< that the run took
-  std::size_t steps = 0;        ///< accepted
+  std::string name;        ///< of the problem
+  std::string integrator;  ///< that ran it
+  double tolerance = 0;    ///< relative and absolute
+  /// Largest |difference| from a published number [m or rad]; none if the run stopped, did not reach one of them, or
+  /// there is none: a residual of energy is no place or angle.
+  std::optional<double> error;
+  double seconds = 0;     ///< that the run took
+  std::size_t steps = 0;  ///< accepted
 };
 
 /// A problem by every integrator at tolerances from 1e-4 to 1e-12, in at most 100,000 steps each. Errors end at the

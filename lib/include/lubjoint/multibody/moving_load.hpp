@@ -46,22 +46,19 @@ template <class R>
 struct Unbalance {
   std::size_t number;  ///< of the body
   R mass_radius;       ///< U [kg m]
-  R phase;             ///< ψ, from the body's x axis [rad]
+  Vector2<R> along;    ///< (cos ψ, sin ψ), ψ from the body's x axis
 
   /// On another scalar.
   template <class S>
   Unbalance<S> cast() const {
-    return {number, S(mass_radius), S(phase)};
+    return {number, S(mass_radius), along.template cast<S>()};
   }
   std::size_t body() const { return number; }  ///< that it acts on
 
   /// As that of a point load.
   template <class T, class Time, class Add>
   void apply(const PlanarFrame<T>& frame, const Time&, const Add& add) const {
-    using std::cos;
-    using std::sin;
     const T size = mass_radius * frame.spin * frame.spin;
-    const Vector2<R> along(R(cos(phase)), R(sin(phase)));
     const Vector2<T> n = inertial_vector(frame, along);
     add(Vector2<T>(T(size * n.x()), T(size * n.y())), T(0));
   }

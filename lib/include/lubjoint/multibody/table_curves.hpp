@@ -23,12 +23,15 @@ class TableCurves {
  public:
   using Cubic = std::array<double, 4>;  ///< c₀ … c₃
 
-  /// @param knots  x_k, ascending;  @param pieces  the N cubics of each interval, one fewer than the knots
+  /// @param knots  x_k, finite, each above the one before;  @param pieces  the N cubics of each interval, one fewer
   /// @throws std::invalid_argument  if they are not
   TableCurves(std::vector<double> knots, std::vector<std::array<Cubic, N>> pieces, bool periodic)
       : knots_(std::move(knots)), pieces_(std::move(pieces)), periodic_(periodic) {
-    if (knots_.size() < 2 || pieces_.size() + 1 != knots_.size() || !std::is_sorted(knots_.begin(), knots_.end())) {
-      throw std::invalid_argument("a table needs two knots or more, ascending, and a piece between each two");
+    const auto not_below = [](double a, double b) { return !(a < b); };
+    if (knots_.size() < 2 || pieces_.size() + 1 != knots_.size() || !std::isfinite(knots_.front()) ||
+        !std::isfinite(knots_.back()) || std::adjacent_find(knots_.begin(), knots_.end(), not_below) != knots_.end()) {
+      throw std::invalid_argument(
+          "a table needs two knots or more, finite and each above the one before, and a piece between each two");
     }
   }
 

@@ -1,6 +1,8 @@
 /// A scene as a multibody system.
 #pragma once
 
+#include <cmath>
+
 #include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/scene.hpp"
@@ -94,7 +96,11 @@ PlanarSystem<R> planar_system(const Scene& scene) {
   for (const SceneSpring& each : scene.springs) elements.springs.push_back(each.cast<R>());
   for (const SceneLoad& load : scene.loads) {
     if (load.unbalance) {
-      elements.loads.push_back(Unbalance<R>{load.body, R(load.unbalance->mass_radius), R(load.unbalance->phase)});
+      using std::cos;
+      using std::sin;
+      const R phase(load.unbalance->phase);
+      elements.loads.push_back(
+          Unbalance<R>{load.body, R(load.unbalance->mass_radius), Vector2<R>(R(cos(phase)), R(sin(phase)))});
     } else if (load.table) {
       elements.loads.emplace_back(table_load<R>(scene, load));
     } else if (!load.is_constant()) {

@@ -8,7 +8,8 @@
 namespace lubjoint {
 
 /// The period that a scene's drivers, tables and harmonic loads share; nothing if they have none in common, or if
-/// nothing in the scene repeats.
+/// anything in the scene does not repeat: a table of time that is not periodic, a driver that speeds up, a slide driver
+/// that moves on. A motor that turns evenly repeats with its revolution, A cos(νt + ψ) of a driver with 2π/ν.
 std::optional<double> scene_period(const Scene& scene);
 
 }  // namespace lubjoint
