@@ -108,6 +108,8 @@ TEST_CASE("compile-film: writes the table it measured, or says why not") {
 TEST_CASE("compiled films: the cache refuses what is another film's, and stays within its size") {
   const TemporaryFolder folder;
   reports::FilmStore store;
+  CHECK(store.size_limit == 4 * 1024 * 1024);
+  CHECK_THAT(read_text(LUBJOINT_SOURCE_DIR "/README.md"), Contains("at most 4 MiB"));
   store.cache = folder.path() / "films";
   const CompiledFilm film = quick_film();
   const fs::path kept = reports::keep_film(film, store);
@@ -145,4 +147,25 @@ TEST_CASE("compiled films: the cache refuses what is another film's, and stays w
           said += text;
         }).coefficients == film.coefficients);
   CHECK_THAT(said, Contains("is not kept"));
+}
+
+TEST_CASE("compile-film --states: the table that ships is held against the solver, and what it is not for is refused") {
+  const Words check = {"compile-film", "--film", "finite_dynamic", "--length-to-diameter", "0.5", "--states"};
+  const auto with = [&check](Words more) {
+    Words words = check;
+    words.insert(words.end(), more.begin(), more.end());
+    return lubjoint_program(words);
+  };
+  const ProgramResult made = with({"30"});
+  REQUIRE(made.status == 0);
+  const std::vector<CsvRow> rows = parse_csv(made.out);
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].at("film") == "finite_dynamic");
+  CHECK(rows[0].at("states") == "30");
+  CHECK(rows[0].at("beyond") == "0");
+  CHECK(number(rows[0].at("worst")) > 0);
+  CHECK(number(rows[0].at("worst")) <= number(rows[0].at("stated_error")) + number(rows[0].at("solver_bound")));
+  CHECK_THAT(with({"0"}).err, Contains("--states is 0; allowed is a whole number from 1"));
+  CHECK(with({"0"}).status == 2);
+  CHECK_THAT(with({"30", "--tolerance", "0.1"}).err, Contains("--states is given beside --out or --tolerance"));
 }

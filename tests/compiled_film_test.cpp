@@ -13,6 +13,9 @@
 #include "lubjoint/film/compiled_film_file.hpp"
 #include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/film/long_full.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
+#include "oracle/laws/film_check.hpp"
 #include "oracle/laws/film_compiler.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 
@@ -305,5 +308,36 @@ TEST_CASE("compiled films: what is compiled now is what ships") {
               0.1 * shipped.error * std::hypot(one.radial, one.tangential));
       }
     }
+  }
+}
+
+TEST_CASE("compiled films: ten thousand states each are stored, the worst is what it is, and a wrong table is found") {
+  const std::string file = LUBJOINT_SOURCE_DIR "/data/measured/compiled-films.csv";
+  const reports::CsvTable table(reports::read_input(file), file);
+  CHECK(table.header() == reports::film_check_header);
+  CHECK(table.rows() == 16);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    INFO(table.line(row));
+    const auto value = [&](const char* column) { return table.number(row, table.column(column)); };
+    const std::string name = table.line(row).substr(0, table.line(row).find(','));
+    const std::string shape = shipped_shapes.at(row / 4);
+    CHECK(value("length_over_diameter") == std::stod(shape));
+    CHECK(value("states") == 10000);
+    CHECK(value("beyond") == 0);
+    // What the laws are meant to reach.
+    CHECK(value("worst") <= (name == "finite_full" ? 1e-6 : name == "finite_reynolds" ? 1e-3 : 1e-5));
+    CompiledFilm film = read_compiled_film(shipped_text(name, shape));
+    CHECK(value("stated_error") == Approx(film.error).epsilon(0.005));  // three digits
+    CHECK(value("worst") <= film.error + value("solver_bound"));
+    const auto [off, bound] = reports::difference_from_solver(film, value("eccentricity_ratio"), value("direction"));
+    // The solver's own error where other processors round otherwise, and three digits.
+    CHECK(std::abs(off - value("worst")) <= bound + 0.005 * off);
+    const reports::FilmCheck few = reports::check_film(film, 20, {2, {}});
+    CHECK(few.worst <= value("worst") + bound);  // the first of the same states
+    CHECK(few.worst > 0);
+    CHECK(few.beyond == 0);
+    film.error = few.worst / 1e3;
+    film.coefficients.front() += name == "finite_reynolds" ? 3e-3 : 1e-5;
+    CHECK(reports::check_film(film, 20, {2, {}}).beyond > 0);
   }
 }

@@ -45,7 +45,31 @@ TEST_CASE("real film: forces along a run are the solver's, and a force that is o
   for (MultibodySample& sample : run.samples) sample.joints[0].force *= NAN;
   CHECK(solved_force_check(crank, run).outcome == CheckOutcome::failed);
   run.samples.clear();
+  CHECK_FALSE(beyond_table(crank, run).has_value());
   CHECK(solved_force_check(crank, run).outcome == CheckOutcome::not_checked);
+}
+
+TEST_CASE("real film: where a run leaves its table, the table is held against the solver there, too") {
+  Scene crank = short_scene(crank_scene_file, "finite_dynamic", 0.002);
+  MultibodyTrajectory run = simulate_multibody(crank);
+  CHECK_FALSE(beyond_table(crank, run).has_value());
+  CHECK(words_of(beyond_table(crank, run)) == "no");
+  auto table = std::make_shared<CompiledFilm>(*crank.joints[0].table);
+  table->ratio_limit = run.samples[run.samples.size() / 2].joints[0].eccentricity_ratio;
+  crank.joints[0].table = table;
+  const std::optional<BeyondTable> beyond = beyond_table(crank, run);
+  REQUIRE(beyond.has_value());
+  CHECK(beyond->share > 0);
+  CHECK(beyond->share < 1);
+  CHECK(beyond->eccentricity_ratio > table->ratio_limit);
+  CHECK(beyond->difference <= table->error + beyond->bound);
+  for (MultibodySample& sample : run.samples) sample.joints[0].force *= 1.02;
+  const std::optional<BeyondTable> off = beyond_table(crank, run);
+  REQUIRE(off.has_value());
+  CHECK(off->difference == Approx(0.02).epsilon(1e-3));  // of it, the table's own 1e-5
+  CHECK_THAT(words_of(off), Contains(" %, to 2 %"));
+  CHECK(words_of(BeyondTable{0.25, 0.999, 0.01, 0.03}) == "25 %, < 4 %");
+  CHECK(words_of(BeyondTable{0.25, 0.999, 1e-9, 1e-7}) == "25 %, < 0.001 %");
 }
 
 TEST_CASE("real film: the table names each film with its numbers and its verdict") {

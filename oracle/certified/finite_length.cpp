@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/certified/finite_coefficients.hpp"
+#include "oracle/certified/finite_flow.hpp"
 #include "oracle/certified/finite_rows.hpp"
 #include "oracle/files/csv_table.hpp"
 
@@ -62,13 +63,16 @@ void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& r
   reports::write_file(folder / file_name, text);
   const std::string coefficients = finite_coefficients_csv(run);
   reports::write_file(folder / finite_coefficients_file, coefficients);
+  const std::string flow = finite_flow_csv(run);
+  reports::write_file(folder / finite_flow_file, flow);
   reports::write_file(folder / reports::golden_manifest_name,
-                      reports::golden_manifest({{file_name, text}, {finite_coefficients_file, coefficients}}));
+                      reports::golden_manifest(
+                          {{file_name, text}, {finite_coefficients_file, coefficients}, {finite_flow_file, flow}}));
 }
 
 std::vector<reports::GoldenDifference> check_finite_golden(const std::filesystem::path& folder, const GoldenRun& run) {
   std::vector<reports::GoldenDifference> differences =
-      reports::manifest_differences(folder, {file_name, finite_coefficients_file});
+      reports::manifest_differences(folder, {file_name, finite_coefficients_file, finite_flow_file});
   if (!std::filesystem::exists(folder / file_name)) return differences;
   const std::vector<FiniteGoldenState> states = finite_golden_states();
   const reports::CsvTable table(reports::read_input((folder / file_name).string()), file_name);
@@ -102,6 +106,10 @@ std::vector<reports::GoldenDifference> check_finite_golden(const std::filesystem
   if (std::filesystem::exists(folder / finite_coefficients_file)) {
     const std::string text = reports::read_input((folder / finite_coefficients_file).string());
     for (auto& difference : check_finite_coefficients(text, run)) differences.push_back(std::move(difference));
+  }
+  if (std::filesystem::exists(folder / finite_flow_file)) {
+    const std::string text = reports::read_input((folder / finite_flow_file).string());
+    for (auto& difference : check_finite_flow(text, run)) differences.push_back(std::move(difference));
   }
   return differences;
 }

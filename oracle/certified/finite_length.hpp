@@ -20,7 +20,8 @@ std::vector<FiniteGoldenState> finite_golden_states();
 /// the finite volumes, whose force it is.
 FiniteGoldenForce finite_golden_force(const FiniteGoldenState& state);
 
-/// Writes finite_film_force.csv, finite_film_coefficients.csv and their manifest into a folder.
+/// Writes finite_film_force.csv, finite_film_coefficients.csv, finite_film_side_flow.csv and their manifest into a
+/// folder.
 void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& run = {});
 
 /// Compares manifest and columns, and makes one row in run.every again: differences are those beyond both

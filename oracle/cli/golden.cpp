@@ -68,7 +68,7 @@ int run_finite_length(const GoldenOptions& options) {
   const auto differences = certified::check_finite_golden(folder, run);
   bar.reset();
   for (const reports::GoldenDifference& difference : differences) std::cout << difference.text() << '\n';
-  if (differences.empty()) std::cout << folder.string() << ": every force made again is within the uncertainties\n";
+  if (differences.empty()) std::cout << folder.string() << ": every number made again is within the uncertainties\n";
   return differences.empty() ? 0 : 1;
 }
 

@@ -8,6 +8,19 @@
 
 namespace lubjoint::cli {
 
+namespace {
+
+/// What a user should know of the side flow of a compiled law, one line.
+std::string solved_flow_words(const std::string& law) {
+  const double tolerance = with_film_law<NamedFilmLaws>(
+      law, []<class Law>() { return reports::solved_flow_tolerance(FreeBoundaryLaw<Law>); });
+  return fmt::format(
+      "side flow: not of the table, but solved for at each state, within {:g} of what the motion displaces, 2cRL|u|",
+      tolerance);
+}
+
+}  // namespace
+
 void add_losses(CLI::App& app, Action& action) {
   struct LossesOptions : BearingOptions {
     std::string law;
@@ -37,6 +50,7 @@ void add_losses(CLI::App& app, Action& action) {
       reports::FilmInBearing film{options->law, bearing, oil};
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
         film = film_in_bearing(options->law, bearing, oil);  // once there are states: it may take a minute
+        if (film.table != nullptr) std::cerr << solved_flow_words(options->law) << '\n';
         constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
         answer_numbers(states, given, reports::loss_column_names, write, [&](const std::array<double, 6>& x) {
           return reports::loss_columns(film, shear, {{x[0], x[1]}, {x[2], x[3]}, x[4], x[5]});

@@ -7,6 +7,7 @@
 
 #include "lubjoint/joint/chosen_film.hpp"
 #include "oracle/files/files.hpp"
+#include "oracle/reynolds/finite_force.hpp"
 
 namespace lubjoint::reports {
 
@@ -36,6 +37,25 @@ Vector2<Wide> force_on_journal(const Bearing<Wide>& bearing, const Lubricant<Wid
   }
 }
 
+/// Out of both sides [m³/s].
+template <class Law>
+std::optional<Wide> side_flow_of(const Bearing<Wide>& bearing, const FilmState<Wide>& film) {
+  if constexpr (CompiledLaw<Law>) {
+    const auto in_double = [](const Vector2<Wide>& v) {
+      return Vector2<double>(static_cast<double>(v.x()), static_cast<double>(v.y()));
+    };
+    const double tolerance = solved_flow_tolerance(FreeBoundaryLaw<Law>);
+    const oracle::FiniteFlow flow =
+        oracle::finite_side_flow(oracle::finite_film_of(Law::name), static_cast<double>(length_to_diameter(bearing)),
+                                 FilmState<double>(in_double(film.eccentricity), in_double(film.velocity)),
+                                 {tolerance, oracle::FilmOnset::free, oracle::SmoothFilmMethod::circumferential_modes});
+    if (!flow.tolerance_met) return std::nullopt;
+    return Wide(flow.ratio) * bearing.clearance() * bearing.radius() * bearing.length();
+  } else {
+    return side_flow<Law>(bearing, film);
+  }
+}
+
 template <class Law>
 LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const JournalMotion<Wide>& motion,
                  ShearExtent shear, const CompiledFilm* table) {
@@ -44,7 +64,7 @@ LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const
   const Wide rate = couette_scale(bearing, oil) * couette_integral<Law>(film, shear);
   const FilmLosses<Wide> losses =
       losses_of<Wide>(force_on_journal<Law>(bearing, oil, film, table), film, bearing.clearance(), rate, relative_spin);
-  LossRow row{losses.force.x(), losses.force.y(), {}, {}, {}, side_flow<Law>(bearing, film)};
+  LossRow row{losses.force.x(), losses.force.y(), {}, {}, {}, side_flow_of<Law>(bearing, film)};
   if (shear == ShearExtent::striated && !is_steady(film)) return row;
   row[2] = losses.torque_journal;
   row[3] = losses.torque_bearing;

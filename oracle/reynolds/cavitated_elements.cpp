@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -34,21 +35,31 @@ struct FilmAt {
   }
 };
 
+/// An element's integrals around the film, over its two places on ψ.
+struct AroundElement {
+  Eigen::Matrix2d stiff = Eigen::Matrix2d::Zero();  ///< of ∂ψ ∂ψ
+  Eigen::Matrix2d mass = Eigen::Matrix2d::Zero();   ///< of the axial part
+  Eigen::Vector2d source = Eigen::Vector2d::Zero();
+
+  /// Of nodes of the same place along the axis, or of neighbouring ones, rise apart.
+  double entry(int a, int b, bool same, double rise) const {
+    return stiff(a, b) * rise * (same ? 1.0 / 3 : 1.0 / 6) + mass(a, b) * (same ? 1.0 : -1.0) / rise;
+  }
+};
+
 /// One grid: bilinear elements on 0 ≤ ψ < 2π, periodic, and 0 ≤ ζ ≤ Λ, P = 0 at the end.
 class ElementGrid {
  public:
-  ElementGrid(const ScaledFilm& film, int around) : around_(around), along_(around / 4) {
+  ElementGrid(const ScaledFilm& film, int around)
+      : around_(around), along_(around / 4), rise_(film.slenderness / along_) {
     const Eigen::Index unknowns = static_cast<Eigen::Index>(around_) * along_;
     source_ = Vector::Zero(unknowns);
     weight_ = Eigen::MatrixX2d::Zero(unknowns, 2);
     std::vector<Eigen::Triplet<double>> entries;
     const double step = 2 * std::numbers::pi / around_;
-    const double rise = film.slenderness / along_;
     for (int i = 0; i < around_; ++i) {
       // Around: two-point Gauss rule; along the axis the integrals are exact.
-      Eigen::Matrix2d stiff = Eigen::Matrix2d::Zero();  // of ∂ψ ∂ψ
-      Eigen::Matrix2d mass = Eigen::Matrix2d::Zero();   // of the axial part
-      Eigen::Vector2d source = Eigen::Vector2d::Zero();
+      AroundElement element;
       Eigen::Matrix2d weight = Eigen::Matrix2d::Zero();
       for (const double side : {-1.0, 1.0}) {
         const double place = 0.5 + side / (2 * std::numbers::sqrt3);
@@ -57,9 +68,9 @@ class ElementGrid {
         const Eigen::Vector2d shape(1 - place, place);
         const Eigen::Vector2d slope(-1 / step, 1 / step);
         const double length = step / 2;
-        stiff += length * cube / at.stretch * slope * slope.transpose();
-        mass += length * cube * at.stretch * shape * shape.transpose();
-        source += length * at.stretch * (film.slip * at.sine - 2 * film.squeeze * at.cosine) * shape;
+        element.stiff += length * cube / at.stretch * slope * slope.transpose();
+        element.mass += length * cube * at.stretch * shape * shape.transpose();
+        element.source += length * at.stretch * (film.slip * at.sine - 2 * film.squeeze * at.cosine) * shape;
         weight.col(0) += length * at.stretch * at.cosine * shape;
         weight.col(1) += length * at.stretch * at.sine * shape;
       }
@@ -67,41 +78,58 @@ class ElementGrid {
         for (int a = 0; a < 4; ++a) {
           const Eigen::Index row = node(i + a % 2, j + a / 2);
           if (row < 0) continue;
-          source_[row] += source[a % 2] * rise / 2;
-          weight_.row(row) += weight.row(a % 2) * rise / 2;
+          source_[row] += element.source[a % 2] * rise_ / 2;
+          weight_.row(row) += weight.row(a % 2) * rise_ / 2;
           for (int b = 0; b < 4; ++b) {
             const Eigen::Index column = node(i + b % 2, j + b / 2);
             if (column < 0) continue;
-            const bool same = a / 2 == b / 2;
-            const double value = stiff(a % 2, b % 2) * rise * (same ? 1.0 / 3 : 1.0 / 6) +
-                                 mass(a % 2, b % 2) * (same ? 1.0 : -1.0) / rise;
+            const double value = element.entry(a % 2, b % 2, a / 2 == b / 2, rise_);
             entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
           }
         }
       }
+      elements_.push_back(element);
     }
     matrix_.resize(unknowns, unknowns);
     matrix_.setFromTriplets(entries.begin(), entries.end());
   }
 
-  /// ∬ P (cosθ, sinθ) dθ dζ over the whole length. @throws std::runtime_error if the active set does not settle
-  Eigen::Vector2d force() const {
+  /// @throws std::runtime_error if the active set does not settle
+  void solve() {
     std::vector<char> carries(static_cast<std::size_t>(source_.size()), 1);
-    Vector pressure;
     constexpr int most = 200;  // a boundary moves by a node or more in each step
     for (int step = 0; step < most; ++step) {
-      pressure = solved(carries);
-      const Vector residual = matrix_ * pressure - source_;
+      pressure_ = solved(carries);
+      const Vector residual = matrix_ * pressure_ - source_;
       bool changed = false;
       for (Eigen::Index i = 0; i < source_.size(); ++i) {
         char& carrier = carries[static_cast<std::size_t>(i)];
-        const char next = carrier ? pressure[i] >= 0 : residual[i] < 0;
+        const char next = carrier ? pressure_[i] >= 0 : residual[i] < 0;
         changed = changed || next != carrier;
         carrier = next;
       }
-      if (!changed) return 2 * weight_.transpose() * pressure;  // both halves of the length
+      if (!changed) return;
     }
     throw std::runtime_error("the bounds of a cavitated film did not settle");
+  }
+
+  /// ∬ P (cosθ, sinθ) dθ dζ over the whole length.
+  Eigen::Vector2d force() const { return 2 * weight_.transpose() * pressure_; }  // both halves of the length
+
+  /// ∫ −H³ ∂ζP dθ at the end.
+  double edge_flow() const {
+    std::vector<double> leaves(static_cast<std::size_t>(around_), 0.0);
+    for (int i = 0; i < around_; ++i) {
+      const AroundElement& element = elements_[static_cast<std::size_t>(i)];
+      for (int a = 0; a < 2; ++a) {
+        double& out = leaves[static_cast<std::size_t>((i + a) % around_)];
+        out += element.source[a] * rise_ / 2;
+        for (int b = 0; b < 2; ++b) out -= element.entry(a, b, false, rise_) * pressure_[node(i + b, along_ - 1)];
+      }
+    }
+    double sum = 0;
+    for (const double out : leaves) sum += std::max(out, 0.0);
+    return sum;
   }
 
   int unknowns() const { return static_cast<int>(source_.size()); }
@@ -146,27 +174,43 @@ class ElementGrid {
 
   int around_;
   int along_;
+  double rise_;  ///< of an element along ζ
+  std::vector<AroundElement> elements_;
+  Vector pressure_;
   Sparse matrix_;
   Vector source_;
   Eigen::MatrixX2d weight_;
 };
 
+/// What three grids give, extrapolated.
+/// @param at_least  of the change from the second grid to the third: what the error estimate is no smaller than
+template <int N, class Value>
+ScaledResult<N> extrapolated(const ScaledFilm& film, int around, double at_least, const Value& value_of) {
+  if (around < 8) throw std::invalid_argument("elements around a film: allowed are 8 or more");
+  using Values = typename ScaledResult<N>::Values;
+  std::array<Values, 3> values;
+  ScaledResult<N> result;
+  for (std::size_t level = 0; level < values.size(); ++level) {
+    ElementGrid grid(film, around << level);
+    grid.solve();
+    values[level] = value_of(grid);
+    result.unknowns = grid.unknowns();
+  }
+  const Values coarse = values[1] + (values[1] - values[0]) / 3;
+  result.value = values[2] + (values[2] - values[1]) / 3;
+  result.error = (result.value - coarse).cwiseAbs().cwiseMax(at_least * (values[2] - values[1]).cwiseAbs());
+  result.observed_order = std::log2((values[1] - values[0]).norm() / (values[2] - values[1]).norm());
+  return result;
+}
+
 }  // namespace
 
 ScaledForce cavitated_force_by_elements(const ScaledFilm& film, int around) {
-  if (around < 8) throw std::invalid_argument("elements around a film: allowed are 8 or more");
-  std::array<Eigen::Vector2d, 3> forces;
-  ScaledForce result;
-  for (std::size_t level = 0; level < forces.size(); ++level) {
-    const ElementGrid grid(film, around << level);
-    forces[level] = grid.force();
-    result.unknowns = grid.unknowns();
-  }
-  const Eigen::Vector2d coarse = forces[1] + (forces[1] - forces[0]) / 3;
-  result.value = forces[2] + (forces[2] - forces[1]) / 3;
-  result.error = (result.value - coarse).cwiseAbs();
-  result.observed_order = std::log2((forces[1] - forces[0]).norm() / (forces[2] - forces[1]).norm());
-  return result;
+  return extrapolated<2>(film, around, 0, [](const ElementGrid& grid) { return grid.force(); });
+}
+
+ScaledFlow cavitated_flow_by_elements(const ScaledFilm& film, int around) {
+  return extrapolated<1>(film, around, 1, [](const ElementGrid& grid) { return ScaledFlow::Values(grid.edge_flow()); });
 }
 
 }  // namespace lubjoint::oracle

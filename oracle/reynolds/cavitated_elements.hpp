@@ -19,4 +19,12 @@ namespace lubjoint::oracle {
 /// @param around  elements around the coarsest grid, at least 8; along half of the length it has a quarter of that
 ScaledForce cavitated_force_by_elements(const ScaledFilm& film, int around = 64);
 
+/// Its side flow: at the edge's nodes, where P = 0 is given, the equation's residual is what leaves by them,
+///   ∫ −H³ ∂ζP φ dx = ∬ (sφ − H³(P_x φ_x + P_ζ φ_ζ))   for the node's φ, the φ of all nodes being one along the edge,
+/// which is of the second order of the force where a slope of P would be of the first. P ≥ 0 lets no oil in: a node
+/// whose residual is negative is of a ruptured film. Extrapolated likewise; the free boundary's rounding counts for
+/// more where it meets the edge, so that the error estimate is at least what the last two grids differ by.
+/// @param around  as above
+ScaledFlow cavitated_flow_by_elements(const ScaledFilm& film, int around = 64);
+
 }  // namespace lubjoint::oracle

@@ -31,46 +31,50 @@ std::unique_ptr<CavitatedGrid> next_grid(const ScaledFilm& film, bool pinned, in
   return grid;
 }
 
+template <int N>
+using Values = typename ScaledResult<N>::Values;
+
+template <int N>
 struct Fit {
-  Eigen::Vector2d value;
-  Eigen::Vector2d standard_error;
+  Values<N> value;
+  Values<N> standard_error;
 };
 
-/// Least squares for F₀ + C/n² through the forces of grids first…last, weights n⁴.
-Fit extrapolate(const std::vector<Eigen::Vector2d>& forces, std::size_t first, std::size_t last) {
+/// Least squares for F₀ + C/n² through the values of grids first…last, weights n⁴.
+template <int N>
+Fit<N> extrapolate(const std::vector<Values<N>>& values, std::size_t first, std::size_t last) {
   double w0 = 0, w1 = 0, w2 = 0;
-  Eigen::Vector2d f0(0, 0), f1(0, 0);
+  Values<N> f0 = Values<N>::Zero(), f1 = Values<N>::Zero();
   const auto each = [&](auto&& use) {
     for (std::size_t g = first; g <= last; ++g) {
       const double x = 1 / static_cast<double>(steps_along[g] * steps_along[g]);
-      use(1 / (x * x), x, forces[g]);
+      use(1 / (x * x), x, values[g]);
     }
   };
-  each([&](double w, double x, const Eigen::Vector2d& force) {
+  each([&](double w, double x, const Values<N>& seen) {
     w0 += w;
     w1 += w * x;
     w2 += w * x * x;
-    f0 += w * force;
-    f1 += w * x * force;
+    f0 += w * seen;
+    f1 += w * x * seen;
   });
   const double determinant = w0 * w2 - w1 * w1;
-  const Eigen::Vector2d value = (w2 * f0 - w1 * f1) / determinant;
-  const Eigen::Vector2d slope = (w0 * f1 - w1 * f0) / determinant;
-  Eigen::Vector2d scatter(0, 0);
-  each([&](double w, double x, const Eigen::Vector2d& force) {
-    scatter += w * (force - value - slope * x).cwiseAbs2();
-  });
+  const Values<N> value = (w2 * f0 - w1 * f1) / determinant;
+  const Values<N> slope = (w0 * f1 - w1 * f0) / determinant;
+  Values<N> scatter = Values<N>::Zero();
+  each([&](double w, double x, const Values<N>& seen) { scatter += w * (seen - value - slope * x).cwiseAbs2(); });
   const auto freedom = static_cast<double>(last - first + 1 - 2);
   return {value, (scatter / freedom * w2 / determinant).cwiseSqrt()};
 }
 
 /// Slope of log|F − F₀| against log h over all grids but the finest, by least squares: the order of convergence towards
-/// the extrapolated force.
-double order_of_convergence(const std::vector<Eigen::Vector2d>& forces, const Eigen::Vector2d& extrapolated) {
+/// the extrapolated values.
+template <int N>
+double order_of_convergence(const std::vector<Values<N>>& values, const Values<N>& extrapolated) {
   double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t g = 0; g + 1 < forces.size(); ++g) {
+  for (std::size_t g = 0; g + 1 < values.size(); ++g) {
     const double x = -std::log(static_cast<double>(steps_along[g]));
-    const double y = std::log((forces[g] - extrapolated).norm());
+    const double y = std::log((values[g] - extrapolated).norm());
     count += 1;
     sx += x;
     sy += y;
@@ -80,29 +84,32 @@ double order_of_convergence(const std::vector<Eigen::Vector2d>& forces, const Ei
   return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
-}  // namespace
-
-ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance) {
-  ScaledForce result;
-  std::vector<Eigen::Vector2d> forces;
+/// What the grids give, extrapolated, until its error is within the tolerance: a share of it, or of a size below which
+/// it matters less.
+template <int N, class Value>
+ScaledResult<N> refined(const ScaledFilm& film, bool pinned, double relative_tolerance, double least_size,
+                        const Value& value_of) {
+  ScaledResult<N> result;
+  std::vector<Values<N>> values;
   std::unique_ptr<CavitatedGrid> grid;
-  Eigen::Vector2d last_estimate = Eigen::Vector2d::Zero();
+  Values<N> last_estimate = Values<N>::Zero();
   for (std::size_t last = 0; last < steps_along.size(); ++last) {
     grid = next_grid(film, pinned, steps_along[last], grid.get());
-    forces.push_back(grid->force());
+    values.push_back(value_of(*grid));
     if (last + 1 < fitted) continue;
-    const Fit fit = extrapolate(forces, last + 1 - fitted, last);
+    const Fit<N> fit = extrapolate<N>(values, last + 1 - fitted, last);
     const std::size_t before = last - earlier;
-    const Fit other = extrapolate(forces, before + 1 > fitted ? before + 1 - fitted : 0, before);
-    const Eigen::Vector2d drift = (fit.value - other.value).cwiseAbs();
-    const double rounding = grid->unknowns() * std::numeric_limits<double>::epsilon() * fit.value.norm();
+    const Fit<N> other = extrapolate<N>(values, before + 1 > fitted ? before + 1 - fitted : 0, before);
+    const Values<N> drift = (fit.value - other.value).cwiseAbs();
+    const double rounding =
+        grid->unknowns() * std::numeric_limits<double>::epsilon() * std::max(fit.value.norm(), least_size);
     result.value = fit.value;
-    Eigen::Vector2d estimate = standard_errors * fit.standard_error + drift + Eigen::Vector2d::Constant(rounding);
+    Values<N> estimate = standard_errors * fit.standard_error + drift + Values<N>::Constant(rounding);
     result.unknowns = grid->unknowns();
-    result.observed_order = order_of_convergence(forces, fit.value);
+    result.observed_order = order_of_convergence<N>(values, fit.value);
     // Where the grids do not yet converge at second order, the extrapolation is worth no more than its finest grid.
     if (!(std::abs(result.observed_order - 2) < order_margin)) {
-      estimate = estimate.cwiseMax((forces.back() - fit.value).cwiseAbs());
+      estimate = estimate.cwiseMax((values.back() - fit.value).cwiseAbs());
     }
     // r falls like h²: an estimate that falls faster than that from one grid to the next agrees by chance. The first
     // has nothing to be compared with and ends nothing.
@@ -110,9 +117,20 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
     result.error = estimate.cwiseMax(refinement * refinement * last_estimate);
     last_estimate = estimate;
     if (last + 1 == fitted) continue;
-    if (result.error.norm() <= relative_tolerance * result.value.norm()) break;
+    if (result.error.norm() <= relative_tolerance * std::max(result.value.norm(), least_size)) break;
   }
   return result;
+}
+
+}  // namespace
+
+ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance) {
+  return refined<2>(film, pinned, relative_tolerance, 0, [](const CavitatedGrid& grid) { return grid.force(); });
+}
+
+ScaledFlow cavitated_film_flow(const ScaledFilm& film, bool pinned, double relative_tolerance) {
+  return refined<1>(film, pinned, relative_tolerance, film.displacement(),
+                    [](const CavitatedGrid& grid) { return ScaledFlow::Values(grid.edge_flow()); });
 }
 
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,

@@ -19,6 +19,9 @@ namespace lubjoint::oracle {
 /// @param pinned  P = 0 along the maximum film
 ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance);
 
+/// Its side flow, from the balance of the half volumes along the edge, extrapolated likewise.
+ScaledFlow cavitated_film_flow(const ScaledFilm& film, bool pinned, double relative_tolerance);
+
 /// P at the product of the given angles (θ, from the maximum film) and ζ; row-major, one row per angle. From one grid
 /// that is at least as fine as the one asked for, by linear interpolation: second order.
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,

@@ -70,6 +70,7 @@ void CavitatedGrid::place_nodes_along(double slenderness) {
     axial_link_.push_back(1 / (place(j + 1) - place(j)));
   }
   zeta_.push_back(slenderness);
+  edge_depth_ = slenderness - place(along_ - 0.5);
 }
 
 void CavitatedGrid::start_from(const CavitatedGrid& solved) {
@@ -174,6 +175,15 @@ Eigen::Vector2d CavitatedGrid::force() const {
     double line = 0;
     for (int j = 0; j < along_; ++j) line += pressure_[node(i, j)] * depth_[index(j)];
     sum -= 2 * line * width_[index(i)] * Eigen::Vector2d(std::cos(x_[index(i)]), std::sin(x_[index(i)]));
+  }
+  return sum;
+}
+
+double CavitatedGrid::edge_flow() const {
+  double sum = 0;
+  for (int i = pinned_ ? 1 : 0; i < around_; ++i) {  // nodes along a pinned maximum film have no neighbour to flow from
+    const double inflow = axial_link(i, along_ - 1) * pressure_[node(i, along_ - 1)];
+    sum += std::max(inflow + source_[index(i)] * edge_depth_, 0.0);
   }
   return sum;
 }

@@ -28,6 +28,10 @@ class CavitatedGrid {
   void solve();
 
   Eigen::Vector2d force() const;  ///< ∬ P (cosθ, sinθ) dθ dζ over |ζ| ≤ Λ
+  /// ∫ −H³ ∂ζP dθ at ζ = Λ, from the balance of the half volumes along the edge: what flows into them from the last
+  /// nodes, and what the motion drives out of them. So it is of second order, and with P ≥ 0 no oil comes in by the
+  /// edge: volumes that would draw it in are of a film that has ruptured.
+  double edge_flow() const;
   int unknowns() const { return matrix_.size(); }
   int along() const { return along_; }
   /// P at an angle θ from the maximum film and at ζ, |ζ| ≤ Λ, by linear interpolation.
@@ -61,6 +65,7 @@ class CavitatedGrid {
   std::vector<double> x_, width_, volume_, link_, source_;  // around: x, dx, H³dx, H³/dx at faces, s dx
   std::vector<double> zeta_, depth_, axial_link_;           // along: ζ, dζ, 1/dζ at faces
   double smallest_load_ = 0;
+  double edge_depth_ = 0;  ///< of the half volumes at the edge
   std::vector<double> pressure_;
   std::vector<char> wet_;
   std::vector<int> number_;

@@ -1,6 +1,7 @@
 #include "oracle/reynolds/circumferential_modes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
@@ -112,8 +113,13 @@ struct Basis {
   }
 };
 
-/// The arc's part of ∬ P (cosθ, sinθ) dθ dζ by the basis of one step.
-Eigen::Vector2d moments(const Arc& arc, std::size_t step) {
+/// What an arc is integrated to by one basis.
+struct ArcSums {
+  Eigen::Vector2d moments = Eigen::Vector2d::Zero();  ///< its part of ∬ P (cosθ, sinθ) dθ dζ
+  double flow = 0;                                    ///< ∫ −H³ ∂ζP dθ at ζ = Λ
+};
+
+ArcSums arc_sums(const Arc& arc, std::size_t step) {
   const GaussRule& rule = gauss_rule(step);
   const auto count = static_cast<Eigen::Index>(2 * gauss_points[step] / 3);
   Basis basis(rule, count, arc.cut);
@@ -158,44 +164,70 @@ Eigen::Vector2d moments(const Arc& arc, std::size_t step) {
   }
   const Eigen::VectorXd loads = eigen.eigenvectors().transpose() * (basis.value.transpose() * load);
   const Eigen::MatrixX2d directions = eigen.eigenvectors().transpose() * (basis.value.transpose() * direction);
+  const Eigen::VectorXd volumes = eigen.eigenvectors().transpose() * (basis.value.transpose() * mass);  // ∫ H³ v
   const double span = arc.film.slenderness;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  ArcSums sums;
   for (Eigen::Index j = 0; j < count; ++j) {
     const double mu =
         eigen.eigenvalues()[j];  // an eigenvalue of zero is rounding, of a mode that ends within no length
     const double share = mu > 0 ? axial_share(span * span / mu) : 1.0;
-    sum += 2 * span * share * loads[j] * directions.row(j).transpose();
+    sums.moments += 2 * span * share * loads[j] * directions.row(j).transpose();
+    // The functions are of unit stiffness: (s_j/√λ_j) ∫ H³ v_j of functions of unit mass is √λ_j times that of these.
+    if (mu > 0) sums.flow += std::tanh(span / std::sqrt(mu)) / std::sqrt(mu) * loads[j] * volumes[j];
   }
-  return sum.cwiseProduct(Eigen::Vector2d(arc.radial_share, arc.tangential_share));
+  sums.moments = sums.moments.cwiseProduct(Eigen::Vector2d(arc.radial_share, arc.tangential_share)).eval();
+  return sums;
+}
+
+/// The values of growing bases until their last change is within the tolerance: a share of them, or of a size below
+/// which they matter less.
+template <int N, class Value>
+ScaledResult<N> refined(double relative_tolerance, double least_size, const Value& value_of) {
+  using Values = typename ScaledResult<N>::Values;
+  ScaledResult<N> result;
+  double last_change = std::numeric_limits<double>::infinity();
+  for (std::size_t level = 0; level < gauss_points.size(); ++level) {
+    const Values value = value_of(level);
+    const Values change = (value - result.value).cwiseAbs();
+    // Where a finer basis changes more than the one before, rounding is all that is left to see.
+    if (level > 2 && change.norm() > last_change) {
+      result.error = result.error.cwiseMax(change);
+      break;
+    }
+    result.unknowns = static_cast<int>(2 * gauss_points[level] / 3);
+    const double rounding =
+        result.unknowns * std::numeric_limits<double>::epsilon() * std::max(value.norm(), least_size);
+    result.value = value;
+    result.error = change + Values::Constant(rounding);
+    if (level > 1) {
+      const double ratio = static_cast<double>(gauss_points[level]) / static_cast<double>(gauss_points[level - 1]);
+      result.observed_order = std::log(last_change / change.norm()) / std::log(ratio);
+      if (result.error.norm() <= relative_tolerance * std::max(result.value.norm(), least_size)) break;
+    }
+    last_change = change.norm();
+  }
+  return result;
 }
 
 }  // namespace
 
 ScaledForce circumferential_film_force(FilmExtent extent, const ScaledFilm& film, double relative_tolerance) {
   const std::vector<Arc> arcs = arcs_of(extent, film);
-  ScaledForce force;
-  double last_change = std::numeric_limits<double>::infinity();
-  for (std::size_t level = 0; level < gauss_points.size(); ++level) {
+  return refined<2>(relative_tolerance, 0, [&arcs](std::size_t level) {
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    for (const Arc& arc : arcs) value += moments(arc, level);
-    const Eigen::Vector2d change = (value - force.value).cwiseAbs();
-    // Where a finer basis changes more than the one before, rounding is all that is left to see.
-    if (level > 2 && change.norm() > last_change) {
-      force.error = force.error.cwiseMax(change);
-      break;
-    }
-    force.unknowns = static_cast<int>(2 * gauss_points[level] / 3);
-    const double rounding = force.unknowns * std::numeric_limits<double>::epsilon() * value.norm();
-    force.value = value;
-    force.error = change + Eigen::Vector2d::Constant(rounding);
-    if (level > 1) {
-      const double ratio = static_cast<double>(gauss_points[level]) / static_cast<double>(gauss_points[level - 1]);
-      force.observed_order = std::log(last_change / change.norm()) / std::log(ratio);
-      if (force.error.norm() <= relative_tolerance * force.value.norm()) break;
-    }
-    last_change = change.norm();
-  }
-  return force;
+    for (const Arc& arc : arcs) value += arc_sums(arc, level).moments;
+    return value;
+  });
+}
+
+ScaledFlow circumferential_film_flow(FilmExtent extent, const ScaledFilm& film, double relative_tolerance) {
+  if (extent == FilmExtent::full) return {};  // what flows out on one side of the circle is drawn in on the other
+  const std::vector<Arc> arcs = arcs_of(extent, film);
+  return refined<1>(relative_tolerance, film.displacement(), [&arcs](std::size_t level) {
+    ScaledFlow::Values value = ScaledFlow::Values::Zero();
+    for (const Arc& arc : arcs) value[0] += arc_sums(arc, level).flow;
+    return value;
+  });
 }
 
 }  // namespace lubjoint::oracle

@@ -12,14 +12,21 @@ double FiniteForce::relative_error() const {
   return size > 0 ? error / size : std::numeric_limits<double>::infinity();
 }
 
+namespace {
+
+void require_shape(double length_to_diameter) {
+  if (length_to_diameter > 0 && std::isfinite(length_to_diameter)) return;
+  std::ostringstream message;
+  message.precision(17);
+  message << "length over diameter is " << length_to_diameter << "; allowed is a finite number above 0";
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace
+
 FiniteForce finite_force(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
                          const FiniteLengthOptions& options) {
-  if (!(length_to_diameter > 0 && std::isfinite(length_to_diameter))) {
-    std::ostringstream message;
-    message.precision(17);
-    message << "length over diameter is " << length_to_diameter << "; allowed is a finite number above 0";
-    throw std::invalid_argument(message.str());
-  }
+  require_shape(length_to_diameter);
   FiniteForce force{Vector2<double>(0, 0)};
   if (is_zero(state.velocity)) return force;
   // R = 1, so that L is twice L/D; with c = 1/2 and μ = 1/(4L) the scale μLR³/c² is one.
@@ -32,6 +39,20 @@ FiniteForce finite_force(FiniteFilm film, double length_to_diameter, const FilmS
   force.error = std::hypot(solved.radial_error, solved.tangential_error);
   force.tolerance_met = solved.tolerance_met;
   return force;
+}
+
+FiniteFlow finite_side_flow(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
+                            const FiniteLengthOptions& options) {
+  require_shape(length_to_diameter);
+  FiniteFlow flow;
+  if (is_zero(state.velocity)) return flow;
+  const Bearing<double> bearing(2 * length_to_diameter, 1, 0.5);
+  const double unit = bearing.clearance() * bearing.radius() * bearing.length();
+  const FiniteLengthFlow solved = finite_length_flow(film, bearing, polar_view(state).state, options);
+  flow.ratio = solved.side_flow / unit;
+  flow.error = solved.error / unit;
+  flow.tolerance_met = solved.tolerance_met;
+  return flow;
 }
 
 }  // namespace lubjoint::oracle

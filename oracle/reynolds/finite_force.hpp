@@ -23,4 +23,18 @@ struct FiniteForce {
 FiniteForce finite_force(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
                          const FiniteLengthOptions& options = {});
 
+/// A side flow over cRL, with a bound of its error.
+struct FiniteFlow {
+  double ratio = 0;           ///< Q/(cRL) [1/s]
+  double error = 0;           ///< [1/s]
+  bool tolerance_met = true;  ///< the bound is within the tolerance asked for
+};
+
+/// What leaves a finite-length film by both sides, net, at a state of the film: finite_length_flow without the
+/// bearing's other dimensions. At u = 0 it is zero.
+/// @param options  the tolerance is a share of 2|u|
+/// @throws std::invalid_argument as finite_force
+FiniteFlow finite_side_flow(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
+                            const FiniteLengthOptions& options = {});
+
 }  // namespace lubjoint::oracle

@@ -25,22 +25,26 @@ constexpr std::array<std::pair<FiniteFilm, std::string_view>, 4> film_names{
      {FiniteFilm::finite_dynamic, "finite_dynamic"},
      {FiniteFilm::finite_reynolds, "finite_reynolds"}}};
 
-/// A state without dimensions, and what its pressure is to be multiplied with.
+/// A state without dimensions.
 struct Scaled {
   ScaledFilm film;
-  double pressure;  ///< 6μ(R/c)² times the rate that a and b were divided by [Pa]
-  double mirror;    ///< −1 if the film was mirrored because a < 0: the sign of θ and of the tangential force
+  double rate;    ///< that a and b were divided by [1/s]
+  double mirror;  ///< −1 if the film was mirrored because a < 0: the sign of θ and of the tangential force
+
+  /// What P is to be multiplied with, 6μ(R/c)² times the rate [Pa].
+  double pressure(const Bearing<double>& bearing, const Lubricant<double>& oil) const {
+    const double ratio = bearing.radius() / bearing.clearance();
+    return 6 * oil.viscosity() * ratio * ratio * rate;
+  }
 };
 
-Scaled without_dimensions(const Bearing<double>& bearing, const Lubricant<double>& oil,
-                          const PolarFilmState<double>& state) {
+Scaled without_dimensions(const Bearing<double>& bearing, const PolarFilmState<double>& state) {
   const double a = std::abs(state.slip_rate);
   const double b = state.squeeze_rate;
   const double rate = std::max(a, std::abs(b));
-  const double ratio = bearing.radius() / bearing.clearance();
   const ScaledFilm film{state.eccentricity_ratio, state.q / (1 + state.eccentricity_ratio), rate > 0 ? a / rate : 0.0,
                         rate > 0 ? b / rate : 0.0, bearing.length() / (2 * bearing.radius())};
-  return {film, 6 * oil.viscosity() * ratio * ratio * rate, state.slip_rate < 0 ? -1.0 : 1.0};
+  return {film, rate, state.slip_rate < 0 ? -1.0 : 1.0};
 }
 
 FilmExtent extent_of(FiniteFilm film) {
@@ -91,11 +95,12 @@ FiniteFilm finite_film_of(std::string_view name) {
 FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
                                        const PolarFilmState<double>& state, const FiniteLengthOptions& options) {
   require_between("relative_tolerance", options.relative_tolerance, 1e-12, 0.1);
-  const Scaled scaled = without_dimensions(bearing, oil, state);
+  const Scaled scaled = without_dimensions(bearing, state);
+  const double pressure = scaled.pressure(bearing, oil);
   FiniteLengthResult result;
   result.observed_order = std::numeric_limits<double>::quiet_NaN();
   result.tolerance_met = true;
-  if (scaled.pressure == 0) return result;
+  if (pressure == 0) return result;
   const double tolerance = options.relative_tolerance;
   const auto solve = [&] {
     if (film == FiniteFilm::finite_reynolds) {
@@ -105,7 +110,7 @@ FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& b
     return (by_modes ? circumferential_film_force : smooth_film_force)(extent_of(film), scaled.film, tolerance);
   };
   const ScaledForce force = solve();
-  const double scale = scaled.pressure * bearing.radius() * bearing.radius();
+  const double scale = pressure * bearing.radius() * bearing.radius();
   result.radial = scale * force.value[0];
   result.tangential = scaled.mirror * scale * force.value[1];
   result.radial_error = scale * force.error[0];
@@ -116,11 +121,38 @@ FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& b
   return result;
 }
 
+FiniteLengthFlow finite_length_flow(FiniteFilm film, const Bearing<double>& bearing,
+                                    const PolarFilmState<double>& state, const FiniteLengthOptions& options) {
+  require_between("relative_tolerance", options.relative_tolerance, 1e-12, 0.1);
+  const Scaled scaled = without_dimensions(bearing, state);
+  FiniteLengthFlow result;
+  result.observed_order = std::numeric_limits<double>::quiet_NaN();
+  result.tolerance_met = true;
+  if (scaled.rate == 0) return result;
+  const double tolerance = options.relative_tolerance;
+  const auto solve = [&] {
+    if (film == FiniteFilm::finite_reynolds) {
+      return cavitated_film_flow(scaled.film, is_pinned(scaled.film, options.onset), tolerance);
+    }
+    const bool by_modes = options.method == SmoothFilmMethod::circumferential_modes;
+    return (by_modes ? circumferential_film_flow : smooth_film_flow)(extent_of(film), scaled.film, tolerance);
+  };
+  const ScaledFlow flow = solve();
+  const double scale = bearing.clearance() * bearing.radius() * bearing.radius() * scaled.rate;
+  result.side_flow = scale * flow.value[0];
+  result.error = scale * flow.error[0];
+  if (std::isfinite(flow.observed_order)) result.observed_order = flow.observed_order;
+  result.unknowns = flow.unknowns;
+  result.tolerance_met = flow.error[0] <= tolerance * scaled.film.displacement();
+  return result;
+}
+
 PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
                                      const PolarFilmState<double>& state, int angles, int stations, FilmOnset onset) {
   require_between("angles", angles, 3, 10000);
   require_between("stations", stations, 3, 1000);
-  const Scaled scaled = without_dimensions(bearing, oil, state);
+  const Scaled scaled = without_dimensions(bearing, state);
+  const double pressure = scaled.pressure(bearing, oil);
   PressureField field;
   std::vector<double> theta, zeta;
   for (int i = 0; i < angles; ++i) {
@@ -134,14 +166,14 @@ PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bea
     zeta.push_back(along * scaled.film.slenderness);
   }
   field.pressure.assign(theta.size() * zeta.size(), 0.0);
-  if (scaled.pressure == 0) return field;
+  if (pressure == 0) return field;
   if (film == FiniteFilm::finite_reynolds) {
     field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta);
   } else {
     const double truncation = 1e-7;  // of the largest pressure
     field.pressure = smooth_film_pressure(extent_of(film), scaled.film, theta, zeta, truncation);
   }
-  for (double& p : field.pressure) p *= scaled.pressure;
+  for (double& p : field.pressure) p *= pressure;
   return field;
 }
 

@@ -30,28 +30,71 @@ double power_tail(double m, int k) {
   return sum + last * (s / (m - 1) + 0.5 + m / (12 * s) - third);
 }
 
+template <int N>
 struct Sum {
-  Eigen::Vector2d value = Eigen::Vector2d::Zero();
-  Eigen::Vector2d remainder = Eigen::Vector2d::Zero();
+  using Values = typename ScaledResult<N>::Values;
+  Values value = Values::Zero();
+  Values remainder = Values::Zero();
   int unknowns = 0;
 };
 
-/// Sum over the harmonics of one strip. The k-th is 4/(κ²Λ) ∫ f (cosθ, sinθ) dθ with f for the source s.
-Sum sum_of_harmonics(const Strip& strip, StripMode& mode, double relative_tolerance) {
+/// What the k-th harmonic adds, and what it would add in a short bearing.
+template <int N>
+struct Harmonic {
+  typename ScaledResult<N>::Values part, short_part;
+};
+
+/// The force as a sum over the harmonics.
+struct ForceSum {
+  static constexpr int count = 2;
+  static constexpr double short_power = 4;  ///< short parts fall like κ^−4
+  static constexpr double least_size = 0;
+
+  /// 4/(κ²Λ) ∫ f (cosθ, sinθ) dθ, with f for the source s.
+  static Harmonic<2> harmonic(const Strip& strip, const StripMode& mode, double kappa) {
+    const double scale = 4 / (kappa * kappa * strip.film.slenderness);
+    return {scale * strip.multiplicity.cwiseProduct(mode.moment()),
+            scale / (kappa * kappa) * strip.multiplicity.cwiseProduct(mode.short_moment())};
+  }
+  /// Of the difference: f − s/(κ²H³) is O(κ^−4), and O(κ^−3) if there is a layer at a cut end.
+  static double power(const Strip& strip) {
+    const bool layered = strip.open_ends && strip.film.squeeze != 0 && strip.end == 0;
+    return layered ? 5 : 6;
+  }
+  /// Which of the sums a strip has a part in.
+  static Eigen::Array<bool, 2, 1> has_part(const Strip& strip) { return strip.multiplicity.array() != 0; }
+};
+
+/// The side flow of a film with cut ends likewise.
+struct FlowSum {
+  static constexpr int count = 1;
+  static constexpr double short_power = 2;
+  double least_size;
+
+  /// (2/Λ) ∫ H³ f dx
+  static Harmonic<1> harmonic(const Strip& strip, const StripMode& mode, double kappa) {
+    const double scale = 2 / strip.film.slenderness;
+    return {ScaledFlow::Values(scale * mode.volume()),
+            ScaledFlow::Values(scale / (kappa * kappa) * mode.short_volume())};
+  }
+  static double power(const Strip& /*strip*/) { return 4; }
+  static Eigen::Array<bool, 1, 1> has_part(const Strip& /*strip*/) { return Eigen::Array<bool, 1, 1>::Constant(true); }
+};
+
+/// Sum over the harmonics of one strip.
+template <class Of>
+Sum<Of::count> sum_of_harmonics(const Of& of, const Strip& strip, StripMode& mode, double relative_tolerance) {
+  using Values = typename Sum<Of::count>::Values;
   const double slenderness = strip.film.slenderness;
-  // f − s/(κ²H³) is O(κ^−4), and O(κ^−3) if there is a layer at a cut end.
-  const bool layered = strip.open_ends && strip.film.squeeze != 0 && strip.end == 0;
-  const double power = layered ? 5 : 6;
-  Sum sum;
+  const double power = of.power(strip);
+  Sum<Of::count> sum;
   std::array<double, 3> excess{};  // |difference from the short bearing| of the last harmonics
   for (int k = 0; k < most_harmonics; ++k) {
     const double kappa = wave_number(k, slenderness);
     mode.solve(strip, kappa);
     sum.unknowns = std::max(sum.unknowns, mode.unknowns());
-    const double scale = 4 / (kappa * kappa * slenderness);
-    const Eigen::Vector2d part = scale * strip.multiplicity.cwiseProduct(mode.moment());
-    const Eigen::Vector2d short_part = scale / (kappa * kappa) * strip.multiplicity.cwiseProduct(mode.short_moment());
-    const Eigen::Vector2d difference = part - short_part;
+    const auto [part, short_part] = of.harmonic(strip, mode, kappa);
+    const Values difference = part - short_part;
     sum.value += part;
     std::rotate(excess.begin(), excess.begin() + 1, excess.end());
     excess.back() = difference.norm();
@@ -67,42 +110,57 @@ Sum sum_of_harmonics(const Strip& strip, StripMode& mode, double relative_tolera
       const double before = s - static_cast<double>(excess.size() - 1 - n);
       bound = std::max(bound, excess[n] * std::pow(before / s, power));
     }
-    const Eigen::Vector2d rest = short_part * std::pow(s, 4) * power_tail(4, k + 1) + difference * growth;
-    if (bound * growth > relative_tolerance * (sum.value + rest).norm() && k + 1 < most_harmonics) continue;
+    const Values rest =
+        short_part * std::pow(s, of.short_power) * power_tail(of.short_power, k + 1) + difference * growth;
+    const double size = std::max((sum.value + rest).norm(), of.least_size);
+    if (bound * growth > relative_tolerance * size && k + 1 < most_harmonics) continue;
     sum.value += rest;
-    sum.remainder = (strip.multiplicity.array() != 0).select(Eigen::Array2d::Constant(bound * growth), 0.0).matrix();
+    using Bounds = Eigen::Array<double, Of::count, 1>;
+    sum.remainder = of.has_part(strip).select(Bounds::Constant(bound * growth), 0.0).matrix();
     break;
   }
   return sum;
 }
 
-}  // namespace
-
-ScaledForce smooth_film_force(FilmExtent extent, const ScaledFilm& film, double relative_tolerance) {
-  const std::vector<Strip> strips = strips_of(extent, film);
-  ScaledForce force;
+/// The sums of elements of growing degree, until their last change is within the tolerance.
+template <class Of>
+ScaledResult<Of::count> refined(const Of& of, const std::vector<Strip>& strips, double relative_tolerance) {
+  using Values = typename ScaledResult<Of::count>::Values;
+  ScaledResult<Of::count> result;
   double last_change = 0;
   for (std::size_t level = 0; level < degrees.size(); ++level) {
     StripMode mode(degrees[level]);
-    Sum total;
+    Sum<Of::count> total;
     for (const Strip& strip : strips) {
-      const Sum part = sum_of_harmonics(strip, mode, relative_tolerance / 4);
+      const Sum<Of::count> part = sum_of_harmonics(of, strip, mode, relative_tolerance / 4);
       total.value += part.value;
       total.remainder += part.remainder;
-      force.unknowns = std::max(force.unknowns, part.unknowns);
+      result.unknowns = std::max(result.unknowns, part.unknowns);
     }
-    const Eigen::Vector2d change = (total.value - force.value).cwiseAbs();
-    const double rounding = force.unknowns * std::numeric_limits<double>::epsilon() * total.value.norm();
-    force.value = total.value;
-    force.error = change + total.remainder + Eigen::Vector2d::Constant(rounding);
+    const Values change = (total.value - result.value).cwiseAbs();
+    const double rounding =
+        result.unknowns * std::numeric_limits<double>::epsilon() * std::max(total.value.norm(), of.least_size);
+    result.value = total.value;
+    result.error = change + total.remainder + Values::Constant(rounding);
     if (level >= 2) {
       const double ratio = static_cast<double>(degrees[level]) / degrees[level - 1];
-      force.observed_order = std::log(last_change / change.norm()) / std::log(ratio);
-      if (force.error.norm() <= relative_tolerance * force.value.norm()) break;
+      result.observed_order = std::log(last_change / change.norm()) / std::log(ratio);
+      if (result.error.norm() <= relative_tolerance * std::max(result.value.norm(), of.least_size)) break;
     }
     last_change = change.norm();
   }
-  return force;
+  return result;
+}
+
+}  // namespace
+
+ScaledForce smooth_film_force(FilmExtent extent, const ScaledFilm& film, double relative_tolerance) {
+  return refined(ForceSum{}, strips_of(extent, film), relative_tolerance);
+}
+
+ScaledFlow smooth_film_flow(FilmExtent extent, const ScaledFilm& film, double relative_tolerance) {
+  if (extent == FilmExtent::full) return {};  // what flows out on one side of the circle is drawn in on the other
+  return refined(FlowSum{film.displacement()}, strips_of(extent, film), relative_tolerance);
 }
 
 std::vector<double> smooth_film_pressure(FilmExtent extent, const ScaledFilm& film, const std::vector<double>& theta,

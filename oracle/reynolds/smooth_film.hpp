@@ -19,6 +19,14 @@ namespace lubjoint::oracle {
 /// The error estimate is the change from the next lower degree plus the remainder of the sum.
 ScaledForce smooth_film_force(FilmExtent extent, const ScaledFilm& film, double relative_tolerance);
 
+/// Its side flow: −∂ζP at ζ = Λ is Σ_k κ_k (−1)^k f_k. By the equation itself
+///   ∫ H³ f_k dx = c_k (∫ s dx + [H³ f̂_k'])/κ_k²,   f_k = c_k f̂_k,
+/// of which the first term, summed, is the short bearing's flow Λ ∫ s dx, and the second what passes through cut ends.
+/// It falls like κ^−4 in the sum: at an end, H³ f̂_k' tends to ∓s/κ, and these cancel, as the ends are half a turn
+/// apart, where s has opposite values; the next term is κ^−2.
+/// Of a full film it is zero, and nothing is solved.
+ScaledFlow smooth_film_flow(FilmExtent extent, const ScaledFilm& film, double relative_tolerance);
+
 /// P at the product of the given angles (θ, from the maximum film) and ζ; row-major, one row per angle.
 std::vector<double> smooth_film_pressure(FilmExtent extent, const ScaledFilm& film, const std::vector<double>& theta,
                                          const std::vector<double>& zeta, double relative_tolerance);

@@ -74,6 +74,7 @@ void StripMode::place_nodes(const Strip& strip, double kappa) {
   for (Eigen::VectorXd* field : {&x_, &weight_, &cubed_, &source_}) field->resize(elements * nodes);
   moment_.setZero();
   short_moment_.setZero();
+  volume_ = short_volume_ = 0;
   for (Eigen::Index e = 0; e < elements; ++e) {
     const double left = breaks_[static_cast<std::size_t>(e)];
     const double half = (breaks_[static_cast<std::size_t>(e) + 1] - left) / 2;
@@ -86,6 +87,7 @@ void StripMode::place_nodes(const Strip& strip, double kappa) {
       source_[n] = strip.film.source(x_[n]);
       const Eigen::Vector2d direction(-std::cos(x_[n]), -std::sin(x_[n]));
       short_moment_ += weight_[n] * source_[n] / cubed_[n] * direction;
+      short_volume_ += weight_[n] * source_[n];
     }
   }
 }
@@ -137,6 +139,7 @@ void StripMode::solve(const Strip& strip, double kappa) {
   for (Eigen::Index n = 0; n < x_.size(); ++n) {
     const double f = solution_[n / nodes * rule_.degree + n % nodes];
     moment_ -= weight_[n] * f * Eigen::Vector2d(std::cos(x_[n]), std::sin(x_[n]));
+    volume_ += weight_[n] * cubed_[n] * f;
   }
 }
 

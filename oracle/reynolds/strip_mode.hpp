@@ -39,6 +39,10 @@ class StripMode {
   Eigen::Vector2d moment() const { return moment_; }
   /// ∫ s/H³ (cosθ, sinθ) dθ with the same quadrature: what the moment times κ² tends to as κ grows.
   Eigen::Vector2d short_moment() const { return short_moment_; }
+  /// ∫ H³ f dx
+  double volume() const { return volume_; }
+  /// ∫ s dx with the same quadrature: what κ² ∫ H³ f dx tends to.
+  double short_volume() const { return short_volume_; }
   int unknowns() const { return static_cast<int>(matrix_.rows()); }
   /// f at a point of the strip.
   double at(double x) const;
@@ -57,6 +61,7 @@ class StripMode {
   Eigen::VectorXd solution_;                     // at the distinct nodes
   Eigen::MatrixXd scaled_derivative_, stiffness_;
   Eigen::Vector2d moment_, short_moment_;
+  double volume_ = 0, short_volume_ = 0;
 };
 
 }  // namespace lubjoint::oracle
