@@ -8,8 +8,10 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/spatial_scene_file.hpp"
+#include "oracle/laws/model_error.hpp"
 #include "oracle/results/spatial_report.hpp"
 #include "oracle/results/squeeze_reynolds.hpp"
+#include "support/embedded_scene.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
@@ -165,4 +167,61 @@ TEST_CASE("density in a scene: printed and warned of in simulate; refused where 
   with_contact.replace(with_contact.find("viscosity = 0.4"), 15, "density = 850");
   CHECK_THROWS_WITH(load_scene(folder.write("dry.toml", with_contact)),
                     Contains("density") && Contains("there is no oil"));
+}
+
+TEST_CASE("warnings in space: an embedded mechanism is warned of as in the plane") {
+  const Embedding in(some_plane(2));
+  const Scene four_bar = load_scene(data + "examples/four-bar.toml");
+  Scene scene = four_bar;
+  scene.joints[0].clearance = 1e-7;
+  scene.bodies[0].spin *= 30 / std::numbers::pi;
+  const std::string words = joined(unit_warnings(scene));
+  CHECK_THAT(words, Contains("c/R") && Contains("rpm?"));
+  CHECK(joined(unit_warnings(in.scene(scene))) == words);
+  CHECK(joined(unit_warnings(in.scene(four_bar))).empty());
+
+  // A start that is moved, by the body's name.
+  SpatialScene moved = in.scene(load_scene(data + "scenes/slider-crank-ideal.toml"));
+  moved.redundant = RedundantConstraints::allow;
+  moved.run.duration = moved.run.output_interval = 1e-5;
+  CHECK(correction_warnings(moved, simulate_spatial(moved)).empty());
+  moved.bodies[0].spin *= 30 / std::numbers::pi;
+  CHECK_THAT(joined(run_warnings(moved, simulate_spatial(moved))),
+             Contains("start of body \"crank\" was moved onto the constraints: spin [0, 0, ") && Contains("rpm?"));
+  moved = in.scene(load_scene(data + "scenes/slider-crank-ideal.toml"));
+  moved.redundant = RedundantConstraints::allow;
+  moved.run.duration = moved.run.output_interval = 1e-5;
+  moved.bodies[1].position += 0.01 * Vector3<double>(1, 2, 3);
+  CHECK_THAT(joined(run_warnings(moved, simulate_spatial(moved))),
+             Contains("start of body \"rod\" was moved onto the constraints: position ["));
+
+  // The oil's inertia, and the law's error at the states that are visited.
+  Scene crank = load_scene(data + "scenes/slider-crank-c0.5-mu0.04.toml");
+  crank.joints[0].density = 850;
+  crank.run.duration /= 4;
+  crank.run.stop_at_outputs = true;
+  SpatialScene in_space = in.scene(crank);
+  allow_what_is_redundant(in_space);
+  const MultibodyTrajectory flat = simulate_multibody(crank);
+  const auto seen = seen_motions(in_space, 0, simulate_spatial(in_space));
+  REQUIRE(seen.size() == flat.samples.size());
+  CHECK(squeeze_reynolds(crank.joints[0], seen)->number ==
+        Approx(squeeze_reynolds(crank, 0, flat)->number).epsilon(1e-6));  // of the tolerance
+  std::vector<JournalMotion<double>> motions;
+  for (const SeenMotion& each : seen) motions.push_back(each.motion);
+  CHECK(visited_model_error(crank.joints[0], motions).median ==
+        Approx(visited_model_error(crank, 0, flat).median).epsilon(1e-3));  // a film's stiffness times that
+}
+
+TEST_CASE("warnings in space: simulate says them") {
+  std::string text = read_text(data + "scenes/space/spatial-slider-crank.toml");
+  const std::size_t at = text.find("viscosity = 0.4");
+  REQUIRE(at != std::string::npos);
+  text.insert(at, "density = 1e9\n");
+  const TemporaryFolder folder;
+  const ProgramResult run = lubjoint_program({"simulate", folder.write("dense.toml", text)});
+  INFO(run.err);
+  CHECK(run.status == 0);
+  CHECK_THAT(run.err, Contains("squeeze Reynolds number of joint \"gudgeon-pin\" is "));
+  CHECK_THAT(run.err, Contains("is off the force of a film of the bearing's real length"));
 }

@@ -126,7 +126,7 @@ TEST_CASE("scene in space: what ships starts on its constraints, with the column
     const double mechanism = scene_units(scene).mechanism;
     // The numbers of the file have sixteen digits.
     CHECK(prepared.found.correction.position < 1e-14 * mechanism);
-    CHECK(prepared.found.correction.spin < 1e-12 * scene_units(scene).rate);
+    CHECK(prepared.found.correction.spin < 1e-12 * scene_units(scene).rate);  // likewise, over the levers
     scene.run.duration /= 100;
     scene.run.output_interval = scene.run.duration / 4;
     const SpatialTrajectory run = simulate_spatial(scene);
@@ -157,6 +157,6 @@ TEST_CASE("top: it precesses steadily, at the rate that its file says") {
   const double rate = scene.bodies[0].velocity.x() / -scene.bodies[0].position.y();                 // W of the start
   const double angle = rate * scene.run.duration;
   const double radius = -scene.bodies[0].position.y();
-  CHECK(run.samples.back().state[0] == Approx(radius * std::sin(angle)).margin(1e-8));  // of the tolerance, in 2 s
-  CHECK(run.samples.back().state[1] == Approx(-radius * std::cos(angle)).margin(1e-8));
+  CHECK(run.samples.back().state[0] == Approx(radius * std::sin(angle)).margin(1e-8));   // of the tolerance, in 2 s
+  CHECK(run.samples.back().state[1] == Approx(-radius * std::cos(angle)).margin(1e-8));  // likewise
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "lubjoint/ode/shifted_solver.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/spatial_scene_file.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
@@ -210,6 +211,43 @@ TEST_CASE("space: the Jacobian is exact, by differences of longer numbers") {
   }
 }
 
+TEST_CASE("space: implicit steps solve six equations a body, and give what all thirteen give") {
+  SpatialScene scene = load_spatial_scene(scenes + "engine.toml");
+  const auto prepared = prepare_spatial(scene);
+  SpatialOde<double> ode(prepared.system, true);
+  std::vector<double> y = prepared.start;
+  y.resize(ode.dimension(), 0.0);
+  Eigen::MatrixXd jacobian;
+  ode.jacobian(y, jacobian, 0.0);
+  REQUIRE(bodies_of_kinematic_form(jacobian) == 3);
+  Eigen::MatrixXd other = jacobian;
+  other(3, 0) = 0.1;  // a parameter whose rate depends on a place: another form
+  REQUIRE(bodies_of_kinematic_form(other) == 0);
+  const double gamma = 2e4, alpha = 1.5e4, beta = 1e4;
+  for (const Eigen::MatrixXd& j : {jacobian, other}) {
+    ShiftedSolver<double, Eigen::Dynamic> solver(j.rows());
+    solver.factorise(j, gamma, alpha, beta);
+    const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(j.rows(), -1, 2);
+    const Eigen::VectorXd also = Eigen::VectorXd::LinSpaced(j.rows(), 3, 1);
+    const Eigen::VectorXd right = gamma * wanted - j * wanted;
+    Eigen::VectorXd x(j.rows());
+    solver.solve(right, x);
+    // Residuals, in parts of what is subtracted: rounding, by the condition of the film's stiffness.
+    const auto near_zero = [&](const Eigen::VectorXd& residual, const Eigen::VectorXd& of) {
+      const Eigen::VectorXd size = gamma * of.cwiseAbs() + j.cwiseAbs() * of.cwiseAbs();
+      return (residual.array().abs() <= 1e-12 * size.array() + 1e-12).all();
+    };
+    CHECK(near_zero(gamma * x - j * x - right, x));
+    Eigen::VectorXd real = alpha * wanted - beta * also - j * wanted;
+    Eigen::VectorXd imaginary = alpha * also + beta * wanted - j * also;
+    const Eigen::VectorXd r = real, s = imaginary;
+    solver.solve_in_place(real, imaginary);
+    const Eigen::VectorXd sizes = real.cwiseAbs() + imaginary.cwiseAbs();
+    CHECK(near_zero(alpha * real - beta * imaginary - j * real - r, sizes));
+    CHECK(near_zero(alpha * imaginary + beta * real - j * imaginary - s, sizes));
+  }
+}
+
 TEST_CASE("space: every γ is the rate of Φ̇, and Φ̇ that of Φ, by differences along the motion") {
   const SpatialScene scene = every_constraint(5);
   const auto system = spatial_system<Long>(scene);
@@ -266,15 +304,15 @@ TEST_CASE("space: a joint's wrenches have no resultant and no moment, and no mom
     REQUIRE(size > 1);
     const V3 between = w.frames[1].position - w.frames[0].position;
     // About the housing's mass centre; rounding of arms of metres.
-    CHECK((on_journal.force + on_bearing.force).norm() <= 1e-15 * size);
+    CHECK((on_journal.force + on_bearing.force).norm() <= 1e-15 * size);  // rounding, as all below
     CHECK((on_journal.moment + on_bearing.moment + between.cross(on_journal.force)).norm() <= 1e-14 * size);
     CHECK(momentum_rate(scene, w).norm() <= 1e-13 * size);
     // The force lies in the bearing's middle plane, and acts where the journal's axis pierces it.
     const auto& k = w.joints[0].kinematics;
     CHECK(std::abs(on_journal.force.dot(k.axis)) <= 1e-14 * size);
     CHECK((w.frames[0].position + k.bearing_arm - w.frames[1].position - k.journal_arm).norm() < 1e-14);
-    CHECK(std::abs(k.tilt() - 2e-3) < 1e-8);  // atan 2e-3
-    CHECK(k.sliding == Approx(5e-3).epsilon(1e-9));
+    CHECK(std::abs(k.tilt() - 2e-3) < 1e-8);         // atan 2e-3
+    CHECK(k.sliding == Approx(5e-3).epsilon(1e-9));  // rounding of places of a metre
     // Power of the wrenches, by the bodies' own velocities.
     double power = 0;
     for (std::size_t b : {0u, 1u}) {
@@ -302,11 +340,11 @@ TEST_CASE("space: a free pair keeps its momentum, its energy is in the ledger, a
       CHECK((angular_momentum(scene, sample.state) - start).norm() < 1e-8 * start.norm());
       for (std::size_t b = 0; b < 2; ++b) {
         const EulerParameters<double> p = spatial_motion_in(sample.state.data(), 2, b).parameters;
-        CHECK(std::abs(p.norm() - 1) < 4 * std::numeric_limits<double>::epsilon());
+        CHECK(std::abs(p.norm() - 1) < 4 * std::numeric_limits<double>::epsilon());  // rounding
       }
     }
-    CHECK(*run.energy_residual < 1e-8 * run.energy_scale);
-    CHECK(run.drift.norm < 1e-9);  // of a step at this tolerance
+    CHECK(*run.energy_residual < 1e-8 * run.energy_scale);  // of the tolerance, a hundred steps
+    CHECK(run.drift.norm < 1e-9);                           // of a step at this tolerance
     const double film = run.samples.back().ledger[2 + static_cast<std::size_t>(LedgerTerm::film)];
     CHECK(std::abs(film) > 100 * *run.energy_residual);  // it would be missed
   }
@@ -398,9 +436,9 @@ TEST_CASE("space: a motor's angle is counted through revolutions, and its moment
   const SpatialTrajectory run = simulate_spatial(scene);
   REQUIRE(run.outcome.status == RunStatus::finished);
   const auto at_end = spatial_motion_in(run.samples.back().state.data(), 1, 0);
-  CHECK(at_end.body_spin.z() == Approx(40).epsilon(1e-9));
-  CHECK(std::abs(at_end.parameters(0) - std::cos(50.0)) < 1e-7);
-  CHECK(run.drivers[0].max_moment.value == Approx(8 * 2.5e-3).epsilon(1e-7));
+  CHECK(at_end.body_spin.z() == Approx(40).epsilon(1e-9));                     // of the tolerance
+  CHECK(std::abs(at_end.parameters(0) - std::cos(50.0)) < 1e-7);               // of the tolerance, on 100 rad
+  CHECK(run.drivers[0].max_moment.value == Approx(8 * 2.5e-3).epsilon(1e-7));  // of the tolerance
   CHECK(run.driver_turns[0]);
 }
 
@@ -415,8 +453,9 @@ TEST_CASE("space: a journal that tilts to the bearing's edge stops the run there
   CHECK_THAT(run.outcome.message, Contains("film of joint \"film\" ends at its edge") && Contains("tilt of"));
   const SpatialJointSample& last = run.samples.back().joints[0];
   // |e| + ψL/2 = c, located as an event.
-  CHECK(last.eccentricity_ratio * 2e-4 + last.tilt * 0.02 == Approx(2e-4).epsilon(1e-9));
-  CHECK(run.joints[0].edge_share.value == Approx(1).epsilon(1e-6));
+  CHECK(last.eccentricity_ratio * 2e-4 + last.tilt * 0.02 ==
+        Approx(2e-4).epsilon(1e-9));  // the step to an event ends there to 1e-12 of a clearance
+  CHECK(run.joints[0].edge_share.value == Approx(1).epsilon(1e-6));  // c − |e| is a difference
 }
 
 TEST_CASE("space: a journal across its bearing has no film: it is refused, and named") {
@@ -436,6 +475,6 @@ TEST_CASE("space: Euler parameters of a rotation matrix give it back, whichever 
     p = normalised(p);
     const EulerParameters<double> back = euler_parameters<double>(rotation_matrix(p));
     CHECK((rotation_matrix(back) - rotation_matrix(p)).norm() < 1e-14);  // rounding of products
-    CHECK(std::min((back - p).norm(), (back + p).norm()) < 1e-14);
+    CHECK(std::min((back - p).norm(), (back + p).norm()) < 1e-14);       // rounding
   }
 }

@@ -51,10 +51,28 @@ void require_two_bodies(const TableReader& table, std::size_t first, std::size_t
   if (first == second) table.refuse("second", "on the same body as first", "another body");
 }
 
+/// Joints of parallel axes hold with antiparallel ones as well, and angles about axes that lie across each other are
+/// not defined: a start decides which is meant.
+void require_near_axes(const TableReader& table, const SpatialScene& scene, const BodyAxes<double>& first,
+                       const BodyAxes<double>& second) {
+  const Vector3<double> n_i = inertial_vector(frame_at_start(scene, first.body), first.axis);
+  const Vector3<double> n_j = inertial_vector(frame_at_start(scene, second.body), second.axis);
+  constexpr double least_cosine = 0.5;  // of 60 degrees
+  if (dot(n_i, n_j) >= least_cosine) return;
+  const auto words = [](const Vector3<double>& v) {
+    std::ostringstream text;
+    text << "[" << v(0) << ", " << v(1) << ", " << v(2) << "]";
+    return text.str();
+  };
+  table.refuse("second.axis", "along " + words(n_j) + " at the start, inertial, and that of first along " + words(n_i),
+               "axes less than 60 degrees apart, pointing the same way; without a second.axis it is that of first");
+}
+
 std::pair<BodyAxes<double>, BodyAxes<double>> read_sides(TableReader& table, const SpatialScene& scene) {
   const BodyAxes<double> first = read_axes(table.table("first"), scene);
   const BodyAxes<double> second = read_axes_like(table.table("second"), scene, first);
   require_two_bodies(table, first.body, second.body);
+  require_near_axes(table, scene, first, second);
   return {first, second};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
@@ -55,6 +56,58 @@ void require_inside(const SpatialScene& scene, const PreparedSpatialScene& prepa
   throw SceneError(message.str());
 }
 
+/// Joints of parallel axes hold with these antiparallel as well, a slider also when turned by half a turn, and the rows
+/// of a fixed body at eight orientations: the three half turns and the four cyclic turns by 120 degrees. Refuses a
+/// start that has come to another closure than is asked for.
+void require_closure(const SpatialScene& scene, const PreparedSpatialScene& prepared, std::size_t c) {
+  const auto frame = [&](std::size_t body) {
+    return SpatialFrame<double>(spatial_motion_in(prepared.start.data(), scene.bodies.size(), body));
+  };
+  const auto columns = [](const BodyAxes<double>& at) {
+    Matrix3<double> a;
+    a << at.across, at.third(), at.axis;
+    return a;
+  };
+  const SpatialSceneConstraint& constraint = scene.constraints[c];
+  const auto refuse = [&](const BodyAxes<double>& first, const BodyAxes<double>& second) {
+    // A_i F_i = A_j F_j, of a body that is not the ground.
+    const bool of_second = second.body != ground_body;
+    const BodyAxes<double>& fixed = of_second ? first : second;
+    const BodyAxes<double>& turned = of_second ? second : first;
+    const Matrix3<double> wanted = frame(fixed.body).rotation * columns(fixed) * columns(turned).transpose();
+    const EulerParameters<double> p = euler_parameters<double>(wanted);
+    const SpatialMotion<double> found = spatial_motion_in(prepared.start.data(), scene.bodies.size(), turned.body);
+    const double off = 2 * std::acos(std::min(1.0, std::abs(found.parameters.dot(p))));
+    std::ostringstream message;
+    message << scene.file << ": constraints: \"" << constraint.name << "\" closes with body \""
+            << scene.bodies[turned.body].name << "\" turned by " << off
+            << " rad from the orientation that it asks for, because the body starts nearer to that; allowed is a start "
+               "nearer to what is asked for: give the body orientation = {euler_parameters = ["
+            << p(0) << ", " << p(1) << ", " << p(2) << ", " << p(3) << "]}";
+    throw SceneError(message.str());
+  };
+  std::visit(
+      [&]<class Joint>(const Joint& joint) {
+        constexpr bool is_fixed = std::is_same_v<Joint, FixedJoint<double>>;
+        constexpr bool is_slider = std::is_same_v<Joint, PrismaticJoint<double>>;
+        constexpr bool is_parallel = std::is_same_v<Joint, RevoluteJoint<double>> ||
+                                     std::is_same_v<Joint, CylindricalJoint<double>> ||
+                                     std::is_same_v<Joint, PlanarJoint<double>>;
+        if constexpr (is_fixed || is_slider || is_parallel) {
+          // Cosines of the axes: on the constraints each is −1, 0 or 1 where the joint says something of it.
+          const Vector3<double> cosines = (frame(joint.first.body).rotation * columns(joint.first))
+                                              .cwiseProduct(frame(joint.second.body).rotation * columns(joint.second))
+                                              .colwise()
+                                              .sum();
+          const bool closed = is_fixed    ? cosines.sum() > 2
+                              : is_slider ? cosines(2) > 0 && cosines(0) > 0
+                                          : cosines(2) > 0;
+          if (!closed) refuse(joint.first, joint.second);
+        }
+      },
+      constraint.constraint);
+}
+
 }  // namespace
 
 SceneUnits scene_units(const SpatialScene& scene) {
@@ -86,11 +139,15 @@ SceneUnits scene_units(const SpatialScene& scene) {
     units.energy += (body.mass * body.velocity.squaredNorm() + body.spin.dot(body.inertia * body.spin)) / 2 +
                     body.mass * scene.gravity.norm() * units.mechanism;
   }
-  const auto least_inertia = [&](std::size_t body) {
-    return detail::principal_moments<double>(scene.bodies[body].inertia)(0);
+  /// |J′⁻¹ M′|, the body at its start.
+  const auto angular_acceleration = [&](const SpatialSceneLoad& load) {
+    const SpatialSceneBody& body = scene.bodies[load.body];
+    const Vector3<double> in_body =
+        load.turns_with_body ? load.moment : transposed_product(rotation_matrix(body.orientation), load.moment);
+    return body.inertia.llt().solve(in_body).norm();
   };
   for (const SpatialSceneLoad& load : scene.loads) {
-    at_least(std::sqrt(load.moment.norm() / least_inertia(load.body)));
+    at_least(std::sqrt(angular_acceleration(load)));
     units.energy += load.moment.norm() + load.force.norm() * units.mechanism;
     if (load.harmonic) at_least(load.harmonic->rate);
   }
@@ -142,6 +199,7 @@ PreparedSpatialScene prepare_spatial(const SpatialScene& scene) {
                      std::to_string(prepared.system.constraint_rows()) +
                      " rows of the constraints repeats others; allowed is \"refuse\", or no such key");
   }
+  for (std::size_t c = 0; c < scene.constraints.size(); ++c) require_closure(scene, prepared, c);
   for (std::size_t k = 0; k < scene.springs.size(); ++k) {
     if (length_of(scene.springs[k], prepared.start, scene.bodies.size()) > 1e-12 * scene_units(scene).mechanism)
       continue;

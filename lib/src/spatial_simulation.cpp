@@ -20,6 +20,12 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of(const std::string& 
   return make_integrator<run_time_size>(name, {0, tolerances, run.relative_tolerance, integrals});
 }
 
+SpatialResolution resolution_of(const SpatialScene& scene) {
+  const SceneUnits units = scene_units(scene);
+  const double tolerance = scene.run.absolute_tolerance;
+  return {units.mechanism, tolerance * units.length, tolerance * units.angle};
+}
+
 detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const PreparedSpatialScene& prepared) {
   SpatialScene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
@@ -27,7 +33,7 @@ detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const Prep
   const std::vector<double> tolerances = scene_tolerances(pilot_scene);
   SpatialOde<double> ode(prepared.system, false);
   SpatialRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances, 0),
-                           upkeep_of(scene), scene_units(scene).mechanism);
+                           upkeep_of(scene), resolution_of(pilot_scene));
   return detail::measure_by_pilot(pilot, ode, prepared.start, pilot_scene.run, tolerances, scene.joints.empty());
 }
 
@@ -43,8 +49,9 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   }
   SpatialOde<double> ode(prepared.system, scene.energy_ledger);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();
-  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, scene_tolerances(scene), integrals),
-                         upkeep_of(scene), scene_units(scene).mechanism);
+  const std::vector<double> tolerances = scene_tolerances(scene);
+  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, tolerances, integrals), upkeep_of(scene),
+                         resolution_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();

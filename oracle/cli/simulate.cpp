@@ -112,6 +112,16 @@ int simulate(const Scene& scene, const std::optional<double>& after, const Outpu
   return run.outcome.status == RunStatus::finished ? 0 : 1;
 }
 
+/// Joints and run of a scene in space, as the plane's rules for them want them.
+Scene joints_alone(const SpatialScene& scene) {
+  Scene joints;
+  joints.name = scene.name;
+  for (const SpatialSceneJoint& joint : scene.joints) joints.joints.push_back(joint.plane);
+  joints.integrator = scene.integrator;
+  joints.run = scene.run;
+  return joints;
+}
+
 /// The scene in space, read and changed. @throws SceneError, std::invalid_argument
 SpatialScene load_in_space(const SceneFile& file, const SceneOptions& options, const LateOptions& late,
                            const Output& output) {
@@ -124,11 +134,7 @@ SpatialScene load_in_space(const SceneFile& file, const SceneOptions& options, c
   }
   options.require();
   SpatialScene scene = spatial_scene(file);
-  Scene joints;  // what options say of joints and runs, they say by the plane's rules
-  joints.name = scene.name;
-  for (const SpatialSceneJoint& joint : scene.joints) joints.joints.push_back(joint.plane);
-  joints.integrator = scene.integrator;
-  joints.run = scene.run;
+  Scene joints = joints_alone(scene);  // what options say of joints and runs, they say by the plane's rules
   options.change(joints);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) scene.joints[j].plane = joints.joints[j];
   scene.integrator = joints.integrator;
@@ -137,9 +143,25 @@ SpatialScene load_in_space(const SceneFile& file, const SceneOptions& options, c
 }
 
 int simulate_in_space(const SpatialScene& scene, const Output& output) {
+  const Scene joints = joints_alone(scene);
+  warn(reports::unit_warnings(scene));
+  warn(reports::law_warnings(joints));
   const SpatialTrajectory run = simulate_spatial(scene);
   report(scene, run, {}, output);
   warn(reports::run_warnings(scene, run));
+  for (std::size_t j = 0; j < joints.joints.size(); ++j) {
+    const SceneJoint& joint = joints.joints[j];
+    const double farthest = run.joints[j].eccentricity.value;
+    const double thinnest = reports::thinnest_film(joint, farthest);
+    const std::vector<reports::SeenMotion> seen = reports::seen_motions(scene, j, run);
+    std::vector<JournalMotion<double>> motions;
+    for (const reports::SeenMotion& each : seen) motions.push_back(each.motion);
+    warn({reports::squeeze_reynolds_warning(joint, reports::squeeze_reynolds(joint, seen)),
+          reports::resolution_warning(joints, joint, thinnest),
+          reports::unseen_warning(joints, joint, run.outcome.integrator, thinnest),
+          reports::beyond_table_warning(joint, farthest),
+          reports::model_warning(joint, reports::visited_model_error(joint, motions))});
+  }
   return run.outcome.status == RunStatus::finished ? 0 : 1;
 }
 

@@ -205,6 +205,18 @@ VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<
   return result;
 }
 
+/// The same at each of some motions of its journal.
+VisitedModelError error_along(const SceneJoint& joint, const std::vector<JournalMotion<double>>& motions) {
+  if (joint.film == no_film) return {};
+  std::vector<FilmState<double>> films;
+  for (const JournalMotion<double>& motion : motions) {
+    const Vector2<double> e = motion.eccentricity / joint.clearance;
+    if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact
+    films.push_back(film_state(motion, joint.clearance));
+  }
+  return error_at(joint, films);
+}
+
 /// Some samples of a run, evenly spaced, the first left out.
 template <class Sample>
 std::vector<Sample> some_of(const std::vector<Sample>& samples, std::size_t states) {
@@ -229,17 +241,18 @@ VisitedModelError visited_model_error(const Scene& scene, const JournalTrajector
 VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run,
                                       std::size_t states) {
   const SceneJoint& at = scene.joints[joint];
-  if (at.film == no_film) return {};
-  std::vector<FilmState<double>> films;
+  std::vector<JournalMotion<double>> motions;
   for (const MultibodySample& sample : some_of(run.samples, states)) {
-    const JournalMotion<double> motion = joint_kinematics(motion_in(sample.state, at.bearing.body), at.bearing.point,
-                                                          motion_in(sample.state, at.journal.body), at.journal.point)
-                                             .motion;
-    const Vector2<double> e = motion.eccentricity / at.clearance;
-    if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact
-    films.push_back(film_state(motion, at.clearance));
+    motions.push_back(joint_kinematics(motion_in(sample.state, at.bearing.body), at.bearing.point,
+                                       motion_in(sample.state, at.journal.body), at.journal.point)
+                          .motion);
   }
-  return error_at(at, films);
+  return error_along(at, motions);
+}
+
+VisitedModelError visited_model_error(const SceneJoint& joint, const std::vector<JournalMotion<double>>& motions,
+                                      std::size_t states) {
+  return error_along(joint, some_of(motions, states));
 }
 
 }  // namespace lubjoint::reports

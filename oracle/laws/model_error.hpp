@@ -88,6 +88,9 @@ VisitedModelError visited_model_error(const Scene& scene, const JournalTrajector
 /// The same of one joint of a multibody run; a dry one has no states.
 VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run,
                                       std::size_t states = 7);
+/// The same of a joint's journal, seen in its bearing at the samples of a run, in order.
+VisitedModelError visited_model_error(const SceneJoint& joint, const std::vector<JournalMotion<double>>& motions,
+                                      std::size_t states = 7);
 
 /// One sentence if the law is more than 25 % off at half of the visited states or more; else empty.
 std::string model_warning(const SceneJoint& joint, const VisitedModelError& error);

@@ -77,14 +77,18 @@ void rates(Proof& proof) {
   equal(proof, algebra, y.rate(e) - cross(seen.spin_i, e), seen.velocity());
 }
 
-/// An observer who turns with the spin Ω at the instant at which his axes are the inertial ones: spins gain Ω, rates
-/// Ω × what they are the rate of.
+/// An observer at c who moves, and turns with the spin −Ω, at the instant at which his axes are the inertial ones:
+/// spins gain Ω.
 void turning_observer(Proof& proof, bool with_inertial_rate) {
   const Symbols y;
-  const SpatialSymbol turning("Omega");
+  const SpatialSymbol turning("Omega"), at("c"), speed("c_dot"), p_i("P_i"), v_i("v_i");
   const Seen seen = y.seen();
   Seen other = seen;
-  other.d_rate = seen.d_rate + cross(turning, seen.d);
+  const Spatial p_j = Spatial(p_i) + seen.d, v_j = Spatial(v_i) + seen.d_rate;
+  // To him P is at P - c, and moves by that point's velocity less his own there.
+  const auto velocity = [&](const Spatial& p, const Spatial& v) { return v - speed + cross(turning, p - at); };
+  other.d = (p_j - at) - (Spatial(p_i) - at);
+  other.d_rate = velocity(p_j, v_j) - velocity(p_i, v_i);
   other.spin_i = seen.spin_i + turning;
   other.spin_j = seen.spin_j + turning;
   const auto u = [&](const Seen& s) {
@@ -96,8 +100,9 @@ void turning_observer(Proof& proof, bool with_inertial_rate) {
   equal(proof, algebra, u(other), u(seen));
 }
 
-/// Turned by any angle about z, and about x: every turn is made of such; e and u turn with the axes.
-void turned_observer(Proof& proof) {
+/// Turned by any angle about z, and about x: every turn is made of such; e and u turn with the axes. The mistake: the
+/// spins are those in the old axes.
+void turned_observer(Proof& proof, bool with_spins) {
   const symbol angle("phi");
   const Symbols y;
   const Seen seen = y.seen();
@@ -106,8 +111,12 @@ void turned_observer(Proof& proof) {
   const auto about_z = [&](const Spatial& v) { return Spatial{c * v.x - s * v.y, s * v.x + c * v.y, v.z}; };
   const auto about_x = [&](const Spatial& v) { return Spatial{v.x, c * v.y - s * v.z, s * v.y + c * v.z}; };
   const auto check = [&](const auto& turn) {
-    const Seen other{turn(seen.n),      turn(seen.n_j),    turn(seen.d),
-                     turn(seen.d_rate), turn(seen.spin_i), turn(seen.spin_j)};
+    const Seen other{turn(seen.n),
+                     turn(seen.n_j),
+                     turn(seen.d),
+                     turn(seen.d_rate),
+                     with_spins ? turn(seen.spin_i) : seen.spin_i,
+                     with_spins ? turn(seen.spin_j) : seen.spin_j};
     // The scalars stay ...
     proof.equal(algebra, other.cosine(), seen.cosine());
     proof.equal(algebra, other.sliding() * other.cosine(), seen.sliding() * seen.cosine());
@@ -128,13 +137,6 @@ void turned_observer(Proof& proof) {
   check(about_x);
 }
 
-/// An observer who moves with any velocity: positions and velocities of both points lose the same.
-void moving_observer(Proof& proof) {
-  const SpatialSymbol p_i("P_i"), p_j("P_j"), v_i("v_i"), v_j("v_j"), at("c"), speed("c_dot");
-  equal(proof, Algebra(), Spatial(p_j) - at - (Spatial(p_i) - at), Spatial(p_j) - p_i);
-  equal(proof, Algebra(), Spatial(v_j) - speed - (Spatial(v_i) - speed), Spatial(v_j) - v_i);
-}
-
 /// u is the same for either body taken as the bearing's frame when the axes coincide: v_B − ½ω n×e = ė − ½(ω_B +
 /// ω_J)n×e.
 void plane(Proof& proof, const ex& share) {
@@ -146,12 +148,14 @@ void plane(Proof& proof, const ex& share) {
   const Planar u = v - frac(1, 2) * (spin_i + spin_j) * turned_90(e);
   equal(proof, Algebra(), seen.pure_squeeze(share), {u.x, u.y, 0});
   proof.zero(Algebra(), seen.sliding_rate());
-  // b and a of page 1: over |e| for r and t.
-  proof.equal(Algebra(), dot(u, e), dot(v, e));
-  proof.equal(Algebra(), -2 * dot(u, turned_90(e)), (spin_i + spin_j) * dot(e, e) - 2 * dot(v, turned_90(e)));
+  // b and a of page 1, times |e|, of the joint's own u and e.
+  const Spatial in_space = seen.pure_squeeze(share), off = seen.eccentricity();
+  proof.equal(Algebra(), dot(in_space, off), dot(v, e));
+  proof.equal(Algebra(), -2 * dot(in_space, cross(z, off)), (spin_i + spin_j) * dot(e, e) - 2 * dot(v, turned_90(e)));
 }
 
-/// The pair of forces at X on two bodies with mass centres r_i, r_j.
+/// The pair of forces at X on two bodies with mass centres r_i, r_j. Each body's force acts at its own arm: −F on body
+/// i at s_i + e, which is reached from P_i, and F on body j at s_j − σ n_J, from P_j along the journal's axis.
 struct Wrenches {
   Symbols y;
   Seen seen = y.seen();
@@ -162,6 +166,19 @@ struct Wrenches {
   Spatial arm_j = Spatial(s_j) - seen.sliding() * seen.n_j;
   Algebra algebra = y.algebra();
 
+  explicit Wrenches(bool without_tilt = false) {
+    if (!without_tilt) return;
+    seen.n_j = seen.n;
+    arm_i = Spatial(s_i) + seen.eccentricity();
+    arm_j = Spatial(s_j) - seen.sliding() * seen.n_j;
+  }
+
+  /// What the pair does to both bodies, by their own velocities and spins.
+  ex power_of(const Spatial& f) const {
+    // ṙ_j from Ṗ_j = Ṗ_i + ḋ.
+    const Spatial v_j = Spatial(v_i) + cross(seen.spin_i, s_i) + seen.d_rate - cross(seen.spin_j, s_j);
+    return dot(f, v_j) + dot(seen.spin_j, cross(arm_j, f)) - dot(f, v_i) - dot(seen.spin_i, cross(arm_i, f));
+  }
   Spatial moment_about(const Spatial& arm_of_j) const {
     return cross(r_j - about, force) + cross(arm_of_j, force) + cross(Spatial(r_i) - about, -Spatial(force)) +
            cross(arm_i, -Spatial(force));
@@ -170,8 +187,6 @@ struct Wrenches {
 
 void pair_vanishes(Proof& proof) {
   const Wrenches y;
-  equal(proof, y.algebra, Spatial(y.r_i) + y.arm_i, y.r_j + y.arm_j);
-  equal(proof, y.algebra, Spatial(y.force) + (-Spatial(y.force)), {0, 0, 0});
   equal(proof, y.algebra, y.moment_about(y.arm_j), {0, 0, 0});
 }
 
@@ -179,15 +194,18 @@ void pair_vanishes(Proof& proof) {
 void power(Proof& proof, int sign) {
   const Wrenches y;
   const Seen& s = y.seen;
-  // ṙ_j from Ṗ_j = Ṗ_i + ḋ.
-  const Spatial v_j = Spatial(y.v_i) + cross(s.spin_i, y.s_i) + s.d_rate - cross(s.spin_j, y.s_j);
   const Spatial f = y.force;
-  const ex both = dot(f, v_j) + dot(s.spin_j, cross(y.arm_j, f)) - dot(f, y.v_i) - dot(s.spin_i, cross(y.arm_i, f));
-  proof.equal(y.algebra, both, dot(f, s.velocity()) + sign * s.sliding_rate() * dot(f, s.n_j));
-  if (sign < 0) return;
-  // With σ* = −σ, the way from P_j to X, it is F·v_B − σ̇* F·n_J; without tilt F is normal to n_J.
-  const Spatial parallel = s.n;
-  proof.zero(y.algebra, dot(f - dot(f, s.n) * s.n, parallel));
+  proof.equal(y.algebra, y.power_of(f), dot(f, s.velocity()) + sign * s.sliding_rate() * dot(f, s.n_j));
+}
+
+/// Where n_J = n, a force in the film's plane has the power F·v_B, whatever the bodies' spins: also those that begin to
+/// tilt. Along n it has that of the sliding, too.
+void power_without_tilt(Proof& proof, bool in_plane) {
+  const Wrenches y(true);
+  const Seen& s = y.seen;
+  const Spatial any = y.force;
+  const Spatial f = in_plane ? any - dot(any, s.n) * s.n : any;
+  proof.equal(y.algebra, y.power_of(f), dot(f, s.velocity()));
 }
 
 }  // namespace
@@ -198,19 +216,22 @@ std::vector<Statement> spatial_joint_statements() {
   all.push_back({joint, "e ends on the journal's axis in the film's middle plane; v_B and u lie in it", "section 5",
                  holds, in_the_plane, "e = d - sigma n_J, sigma = (n.d)/(n.n_J)"});
   all.push_back({joint, "v_B = e_dot - w_B x e and sigma_dot along any motion", "section 5", holds, rates});
-  all.push_back({joint, "an observer who turns with any spin sees the same e and u", "frame indifference", holds,
-                 [](Proof& proof) { turning_observer(proof, false); }, "u c = v_B - omega n x e/2"});
-  all.push_back({joint, "e and u turn with the observer's axes", "frame indifference", holds, turned_observer});
-  all.push_back(
-      {joint, "an observer who moves sees the same d and its rate", "frame indifference", holds, moving_observer});
+  all.push_back({joint, "an observer who moves and turns with any spin sees the same e and u", "frame indifference",
+                 holds, [](Proof& proof) { turning_observer(proof, false); }, "u c = v_B - omega n x e/2"});
+  all.push_back({joint, "e and u turn with the observer's axes", "frame indifference", holds,
+                 [](Proof& proof) { turned_observer(proof, true); }});
   all.push_back({joint, "in the plane u is v - (omega_B + omega_J) e_perp/2", "section 5", holds,
                  [](Proof& proof) { plane(proof, frac(1, 2)); }, "and b and a are those of page 1's film"});
-  all.push_back(
-      {joint, "the pair at X has no resultant and no moment about any point", "eqs. 33, 34", holds, pair_vanishes});
+  all.push_back({joint, "the pair, F on the journal and -F on the bearing, has no moment about any point",
+                 "eqs. 33, 34", holds, pair_vanishes});
   all.push_back({joint, "power of the pair = F.v_B + sigma_dot F.n_J", "eqs. 33, 34", holds,
-                 [](Proof& proof) { power(proof, 1); }, "F.v_B alone where the axes are parallel"});
+                 [](Proof& proof) { power(proof, 1); }});
+  all.push_back({joint, "power of the pair = F.v_B where the axes are parallel", "eqs. 33, 34", holds,
+                 [](Proof& proof) { power_without_tilt(proof, true); }, "F in the film's plane"});
   all.push_back({joint, "WRONG: e_dot in place of v_B, for a turning observer", "frame indifference altered", wrong,
                  [](Proof& proof) { turning_observer(proof, true); }});
+  all.push_back({joint, "WRONG: e and u by turned places and axes, and spins that are not",
+                 "frame indifference altered", wrong, [](Proof& proof) { turned_observer(proof, false); }});
   all.push_back({joint, "WRONG: the whole relative spin in u", "section 5 altered", wrong,
                  [](Proof& proof) { plane(proof, 1); }});
   all.push_back({joint, "WRONG: the journal's force at P_j when it has slid and tilted", "eqs. 33, 34 altered", wrong,
@@ -218,6 +239,8 @@ std::vector<Statement> spatial_joint_statements() {
                    const Wrenches y;
                    equal(proof, y.algebra, y.moment_about(y.s_j), {0, 0, 0});
                  }});
+  all.push_back({joint, "WRONG: power = F.v_B of a force along the axis, too", "eqs. 33, 34 altered", wrong,
+                 [](Proof& proof) { power_without_tilt(proof, false); }});
   all.push_back({joint, "WRONG: power with sigma_dot of the other sign", "eqs. 33, 34 altered", wrong,
                  [](Proof& proof) { power(proof, -1); }});
   return all;

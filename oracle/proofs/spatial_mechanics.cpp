@@ -215,26 +215,30 @@ void driver_in_place(Proof& proof) {
 }
 
 /// Where a joint is closed, its rows' rates are components of the bodies' relative motion, each once: w = ω_j − ω_i and
-/// v, the rate of P_j seen from body i, in the axes of body i.
+/// v, the rate of P_j seen from body i, in the axes of body i, which turns by any ω_i itself.
 struct ClosedJoint {
   symbol theta{"theta"}, slid{"sigma"};
-  SpatialSymbol w{"w"}, v{"v"};
+  SpatialSymbol turning{"w_i"}, w{"w"}, v{"v"};
   Algebra algebra = Algebra().angle(theta);
   Spatial t1_j{cos(theta), sin(theta), 0}, t2_j{-sin(theta), cos(theta), 0}, n_j{0, 0, 1};
   Spatial d{0, 0, slid};
 
-  /// d/dt(a_i·b_j) and d/dt(a_i·d) seen from body i.
-  ex axes(const Spatial& a, const Spatial& b) const { return dot(a, cross(w, b)); }
-  ex across(const Spatial& a) const { return dot(a, v); }
+  /// d/dt(a_i·b_j): ȧ_i = ω_i × a_i, ḃ_j = ω_j × b_j. The mistake: b_j as if it turned by w alone.
+  ex axes(const Spatial& a, const Spatial& b, bool with_both = true) const {
+    const Spatial spin_j = with_both ? Spatial(turning) + w : Spatial(w);
+    return dot(cross(turning, a), b) + dot(a, cross(spin_j, b));
+  }
+  /// d/dt(a_i·d): ḋ = v + ω_i × d.
+  ex across(const Spatial& a) const { return dot(cross(turning, a), d) + dot(a, Spatial(v) + cross(turning, d)); }
 };
 
-void closed_joints(Proof& proof) {
+void closed_joints(Proof& proof, bool with_both) {
   const ClosedJoint y;
   // Revolute and cylindrical: t₁i·n_j, t₂i·n_j; prismatic: t₁i·t₂j, where both frames coincide.
-  proof.equal(y.algebra, y.axes(unit_x, y.n_j), y.w.y);
-  proof.equal(y.algebra, y.axes(unit_y, y.n_j), -y.w.x);
+  proof.equal(y.algebra, y.axes(unit_x, y.n_j, with_both), y.w.y);
+  proof.equal(y.algebra, y.axes(unit_y, y.n_j, with_both), -y.w.x);
   const GiNaC::exmap coincide{{cos(y.theta), 1}, {sin(y.theta), 0}};
-  const auto held = [&](const Spatial& a, const Spatial& b) { return y.axes(a, b).subs(coincide); };
+  const auto held = [&](const Spatial& a, const Spatial& b) { return y.axes(a, b, with_both).subs(coincide); };
   proof.equal(y.algebra, held(unit_x, y.t2_j), -y.w.z);
   // Spherical, and across the axis of the cylindrical: d; along it, planar: n_i·d.
   proof.equal(y.algebra, y.across(unit_x), y.v.x);
@@ -292,7 +296,8 @@ std::vector<Statement> spatial_mechanics_statements() {
   all.push_back({constraints, "rotational driver: its angle turns about n where the axes coincide", "eq. 40", holds,
                  driver_in_place});
   all.push_back({constraints, "closed joints: each row is one component of the relative motion", "section 6", holds,
-                 closed_joints, "fixed, universal, revolute, cylindrical, prismatic, planar"});
+                 [](Proof& proof) { closed_joints(proof, true); },
+                 "fixed, universal, revolute, cylindrical, prismatic, planar"});
   all.push_back(
       {constraints, "in the plane: the planar joint's gamma, and A is the plane's turn", "eq. 40", holds, plane});
   all.push_back(
@@ -303,6 +308,8 @@ std::vector<Statement> spatial_mechanics_statements() {
       {bodies, "WRONG: p_dot = L^T w'", "eq. 36 altered", wrong, [](Proof& proof) { rates_of_spin(proof, 1); }});
   all.push_back({bodies, "WRONG: gyroscopic moment of the other sign", "eq. 37 altered", wrong,
                  [](Proof& proof) { rotation(proof, -1); }});
+  all.push_back({constraints, "WRONG: closed joints, the second axis turned by the relative spin alone",
+                 "section 6 altered", wrong, [](Proof& proof) { closed_joints(proof, false); }});
   all.push_back({constraints, "WRONG: perpendicular axes, mixed term once", "eq. 40 altered", wrong,
                  [](Proof& proof) { perpendicular_axes(proof, 1); }});
   all.push_back({constraints, "WRONG: perpendicular distance, its force on body i at P_i", "eq. 40 altered", wrong,

@@ -19,10 +19,13 @@ double thinnest_film(const Scene& scene, const JournalTrajectory& run) {
 }
 
 double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run) {
-  const SceneJoint& at = scene.joints[joint];
-  if (at.film == no_film) return 1;
-  const double gap = 1 - run.joints[joint].eccentricity.value / at.clearance;
-  return at.transition ? std::max(gap, 0.0) + at.transition->e1 / at.clearance : gap;
+  return thinnest_film(scene.joints[joint], run.joints[joint].eccentricity.value);
+}
+
+double thinnest_film(const SceneJoint& joint, double farthest) {
+  if (joint.film == no_film) return 1;
+  const double gap = 1 - farthest / joint.clearance;
+  return joint.transition ? std::max(gap, 0.0) + joint.transition->e1 / joint.clearance : gap;
 }
 
 bool leaves_no_digit(const Scene& scene, double thinnest) {

@@ -25,6 +25,10 @@ double thinnest_film(const Scene& scene, const JournalTrajectory& run);
 /// The same of one of several joints.
 double thinnest_film(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run);
 
+/// The same of a joint whose journal came so far.
+/// @param farthest  largest |e| [m]
+double thinnest_film(const SceneJoint& joint, double farthest);
+
 /// May the error of one step, τ, change the film's force by more than a tenth, 5τ/2h > 1/10? Then no digit of the
 /// force is known, nor of the velocity that follows it.
 /// @param thinnest  h, as above

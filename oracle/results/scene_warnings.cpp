@@ -16,7 +16,12 @@ namespace {
 
 constexpr double share = 0.01;  ///< of a length, a radian or a speed: what a correction of rounding never reaches
 
-/// Which unit a number may have been given in, if it is that much larger than what was needed; else empty.
+const Driver<double>* driver_of(const SceneConstraint& constraint) {
+  return std::get_if<Driver<double>>(&constraint.constraint);
+}
+
+}  // namespace
+
 std::string unit_guess(double given, double needed) {
   if (needed == 0 || given == 0) return {};
   const double ratio = given / needed;
@@ -26,19 +31,12 @@ std::string unit_guess(double given, double needed) {
   return {};
 }
 
-const Driver<double>* driver_of(const SceneConstraint& constraint) {
-  return std::get_if<Driver<double>>(&constraint.constraint);
-}
-
-}  // namespace
-
 double safe_film_thickness(const SceneJoint& joint) { return 1.5e-4 * 2 * (joint.journal_radius + joint.clearance); }
 
-std::vector<std::string> unit_warnings(const Scene& scene) {
+std::vector<std::string> joint_unit_warnings(const std::vector<SceneJoint>& joints, double mechanism,
+                                             bool is_mechanism) {
   std::vector<std::string> warnings;
-  const double mechanism = scene_units(scene).mechanism;
-  const bool is_mechanism = scene.bodies.size() > 1;
-  for (const SceneJoint& joint : scene.joints) {
+  for (const SceneJoint& joint : joints) {
     const double ratio = joint.clearance / (joint.journal_radius + joint.clearance);
     if (ratio < 1e-4 || ratio > 0.05 * (1 + 1e-9)) {  // the paper's widest bearing has 0.05 itself
       warnings.push_back(fmt::format(
@@ -53,20 +51,34 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
           joint.name, joint.journal_radius, mechanism));
     }
   }
+  return warnings;
+}
+
+std::vector<std::string> driver_unit_warnings(const std::string& driver, const std::string& body, double speed,
+                                              double spin, double given) {
+  std::vector<std::string> warnings;
+  for (const auto& [high, low, word] :
+       {std::tuple{given, speed, "the body's spin"}, std::tuple{speed, given, "the driver's speed"}}) {
+    const std::string guess = unit_guess(high, low);
+    if (guess.empty()) continue;
+    warnings.push_back(
+        fmt::format("warning: driver \"{}\" turns body \"{}\" at {:g} rad/s, whose spin is {:g} rad/s{} "
+                    "Speeds are in rad/s, and {} looks like another unit.",
+                    driver, body, speed, spin, guess, word));
+  }
+  return warnings;
+}
+
+std::vector<std::string> unit_warnings(const Scene& scene) {
+  std::vector<std::string> warnings =
+      joint_unit_warnings(scene.joints, scene_units(scene).mechanism, scene.bodies.size() > 1);
   for (const SceneConstraint& each : scene.constraints) {
     const Driver<double>* driver = driver_of(each);
     if (driver == nullptr || driver->shape) continue;
+    const SceneBody& body = scene.bodies[driver->second];
     const double ground = driver->first != ground_body ? scene.bodies[driver->first].spin : 0;
-    const double given = scene.bodies[driver->second].spin - ground;
-    for (const auto& [high, low, word] : {std::tuple{given, driver->speed, "the body's spin"},
-                                          std::tuple{driver->speed, given, "the driver's speed"}}) {
-      const std::string guess = unit_guess(high, low);
-      if (guess.empty()) continue;
-      warnings.push_back(fmt::format(
-          "warning: driver \"{}\" turns body \"{}\" at {:g} rad/s, whose spin is {:g} rad/s{} "
-          "Speeds are in rad/s, and {} looks like another unit.",
-          each.name, scene.bodies[driver->second].name, driver->speed, scene.bodies[driver->second].spin, guess, word));
-    }
+    const auto of_driver = driver_unit_warnings(each.name, body.name, driver->speed, body.spin, body.spin - ground);
+    warnings.insert(warnings.end(), of_driver.begin(), of_driver.end());
   }
   return warnings;
 }

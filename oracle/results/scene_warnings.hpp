@@ -16,6 +16,19 @@ double safe_film_thickness(const SceneJoint& joint);
 /// the distances between the points of its mechanism, and spins that are a driver's speed in rpm or degrees.
 std::vector<std::string> unit_warnings(const Scene& scene);
 
+/// The same of joints in any mechanism.
+/// @param mechanism  its size [m];  @param is_mechanism  has it more than one body?
+std::vector<std::string> joint_unit_warnings(const std::vector<SceneJoint>& joints, double mechanism,
+                                             bool is_mechanism);
+/// The same of a driver, a sentence or none.
+/// @param body  that it turns;  @param spin  of the body;  @param given  of it against the driver's other body; all
+///   about the driver's axis at the start [rad/s]
+std::vector<std::string> driver_unit_warnings(const std::string& driver, const std::string& body, double speed,
+                                              double spin, double given);
+
+/// Which unit a number may have been given in, if it is that much larger than what was needed; else empty.
+std::string unit_guess(double given, double needed);
+
 /// Where a law is a poor one for the shape of its bearing, a sentence each.
 std::vector<std::string> law_warnings(const Scene& scene);
 

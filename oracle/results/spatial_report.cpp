@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/joint/rebound.hpp"
@@ -194,24 +195,93 @@ std::string summary_text(const SpatialScene& scene, const SpatialTrajectory& run
   return text;
 }
 
+std::vector<std::string> unit_warnings(const SpatialScene& scene) {
+  std::vector<SceneJoint> joints;
+  for (const SpatialSceneJoint& joint : scene.joints) joints.push_back(joint.plane);
+  std::vector<std::string> warnings =
+      joint_unit_warnings(joints, scene_units(scene).mechanism, scene.bodies.size() > 1);
+  for (const SpatialSceneConstraint& each : scene.constraints) {
+    const auto* driver = std::get_if<RotationalDriver<double>>(&each.constraint);
+    if (driver == nullptr || driver->second.body == ground_body) continue;
+    const SpatialFrame<double> first = frame_at_start(scene, driver->first.body);
+    const SpatialFrame<double> second = frame_at_start(scene, driver->second.body);
+    const Vector3<double> n = inertial_vector(first, driver->first.axis);
+    const double spin = dot(n, second.spin);
+    const auto of_driver = driver_unit_warnings(each.name, scene.bodies[driver->second.body].name, driver->motion.speed,
+                                                spin, spin - dot(n, first.spin));
+    warnings.insert(warnings.end(), of_driver.begin(), of_driver.end());
+  }
+  return warnings;
+}
+
+std::vector<std::string> correction_warnings(const SpatialScene& scene, const SpatialTrajectory& run) {
+  constexpr double share = 0.01;  // what a correction of rounding never reaches
+  std::vector<std::string> warnings;
+  if (run.samples.empty()) return warnings;
+  const double mechanism = scene_units(scene).mechanism;
+  const auto start = [&](std::size_t b) {
+    return spatial_motion_in(run.samples.front().state.data(), scene.bodies.size(), b);
+  };
+  double fastest = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    fastest = std::max({fastest, start(b).velocity.norm(), start(b).body_spin.norm() * mechanism});
+  const auto words = [](const auto& v) {
+    std::string text;
+    for (const double x : v) text += fmt::format("{}{:g}", text.empty() ? "" : ", ", x);
+    return text;
+  };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const SpatialSceneBody& given = scene.bodies[b];
+    const SpatialMotion<double> needed = start(b);
+    std::string moved;
+    const auto say = [&](const std::string& what) { moved += (moved.empty() ? "" : "; ") + what; };
+    if ((needed.position - given.position).norm() > share * mechanism)
+      say(fmt::format("position [{}] m given, [{}] needed", words(given.position), words(needed.position)));
+    const double turned = 2 * std::acos(std::min(1.0, std::abs(needed.parameters.dot(given.orientation))));
+    if (turned > share) {
+      say(fmt::format("orientation given off by {:.3g} rad, euler_parameters [{}] needed", turned,
+                      words(needed.parameters)));
+    }
+    const double slowed = (needed.velocity - given.velocity).norm();
+    if (slowed > share * std::max(needed.velocity.norm(), given.velocity.norm()) && slowed > share * fastest)
+      say(fmt::format("velocity [{}] m/s given, [{}] needed", words(given.velocity), words(needed.velocity)));
+    const double spun = (needed.body_spin - given.spin).norm();
+    if (spun > share * std::max(needed.body_spin.norm(), given.spin.norm()) && spun * mechanism > share * fastest) {
+      say(fmt::format("spin [{}] rad/s given, [{}] needed{}", words(given.spin), words(needed.body_spin),
+                      unit_guess(given.spin.norm(), needed.body_spin.norm())));
+    }
+    if (moved.empty()) continue;
+    warnings.push_back(
+        fmt::format("warning: the start of body \"{}\" was moved onto the constraints: {}", given.name, moved));
+  }
+  return warnings;
+}
+
+std::vector<SeenMotion> seen_motions(const SpatialScene& scene, std::size_t joint, const SpatialTrajectory& run) {
+  const SpatialSceneJoint& at = scene.joints[joint];
+  std::vector<SeenMotion> motions;
+  for (const SpatialSample& sample : run.samples) {
+    const auto frame = [&](std::size_t body) {
+      return SpatialFrame<double>(spatial_motion_in(sample.state.data(), scene.bodies.size(), body));
+    };
+    motions.push_back({sample.t, spatial_joint_kinematics<double>(frame(at.bearing.body), at.bearing,
+                                                                  frame(at.journal.body), at.journal)
+                                     .motion});
+  }
+  return motions;
+}
+
 std::vector<std::string> run_warnings(const SpatialScene& scene, const SpatialTrajectory& run) {
   std::vector<std::string> warnings;
   if (!run.left_out.empty()) {
     warnings.push_back(fmt::format(
         "warning: the constraints have {} rows of rank {}; the run does without rows of {}, which the others "
-        "imply. Motions are not touched by the choice; reactions of the joints of that loop are not unique, "
-        "and those shown are one of many.",
+        "implied at the start. Motions are not touched by the choice while they are redundant; reactions of the joints "
+        "of that loop are not unique, and those shown are one of many.",
         run.rows, run.rank, counted(run.left_out)));
   }
-  const SceneUnits units = scene_units(scene);
-  constexpr double share = 0.01;  // what a correction of rounding never reaches
-  if (run.correction.position > share * units.mechanism || run.correction.angle > share ||
-      run.correction.velocity > share * units.mechanism * units.rate || run.correction.spin > share * units.rate) {
-    warnings.push_back(fmt::format(
-        "warning: the start missed its constraints, and was moved by up to {:.3g} m, {:.3g} rad, {:.3g} m/s "
-        "and {:.3g} rad/s.",
-        run.correction.position, run.correction.angle, run.correction.velocity, run.correction.spin));
-  }
+  const auto moved = correction_warnings(scene, run);
+  warnings.insert(warnings.end(), moved.begin(), moved.end());
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j].plane;
     const SpatialJointExtremes& extremes = run.joints[j];
@@ -222,11 +292,12 @@ std::vector<std::string> run_warnings(const SpatialScene& scene, const SpatialTr
     if (!(extremes.edge_share.value > largest_edge_share)) continue;
     std::string warning = fmt::format(
         "warning: the tilt of joint \"{}\" took {:.3g} of the least film at the bearing's edge at {:.6g} s, {:.3g} rad "
-        "at "
-        "the most; the film is that of parallel axes, and is good for a tenth.",
+        "at the most; the film is that of parallel axes, and is good for a tenth.",
         joint.name, extremes.edge_share.value, extremes.edge_share.t, extremes.tilt.value);
     if (joint.contact && extremes.edge_share.value >= 1) {
-      warning += " There its edge met the wall: the run went on with the plane's contact, which does not see that.";
+      warning +=
+          " There its edge met the wall, by more than the transition's width: the run went on with the plane's "
+          "contact, which does not see that.";
     }
     warnings.push_back(warning);
   }

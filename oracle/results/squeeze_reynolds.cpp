@@ -55,6 +55,10 @@ std::optional<SqueezeReynolds> squeeze_reynolds(const Scene& scene, std::size_t 
   });
 }
 
+std::optional<SqueezeReynolds> squeeze_reynolds(const SceneJoint& joint, const std::vector<SeenMotion>& run) {
+  return largest(joint, run, [](const SeenMotion& seen) { return seen.motion; });
+}
+
 nlohmann::ordered_json squeeze_json(const std::optional<SqueezeReynolds>& film) {
   return film ? nlohmann::ordered_json(film->number) : nlohmann::ordered_json(nullptr);
 }

@@ -20,9 +20,16 @@ struct SqueezeReynolds {
 /// From here on the oil's inertia is no smaller than its shear.
 inline constexpr double large_squeeze_reynolds = 1;
 
+/// A journal in its bearing at an instant of a run.
+struct SeenMotion {
+  double t;                      ///< [s]
+  JournalMotion<double> motion;  ///< seen from the bearing or from anywhere
+};
+
 /// Nothing where the joint has no density, no film, or the run no sample.
 std::optional<SqueezeReynolds> squeeze_reynolds(const Scene& scene, const JournalTrajectory& run);
 std::optional<SqueezeReynolds> squeeze_reynolds(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run);
+std::optional<SqueezeReynolds> squeeze_reynolds(const SceneJoint& joint, const std::vector<SeenMotion>& run);
 
 /// The number, or null.
 nlohmann::ordered_json squeeze_json(const std::optional<SqueezeReynolds>& film);

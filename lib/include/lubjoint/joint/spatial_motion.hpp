@@ -90,12 +90,28 @@ template <class T>
 struct SpatialFrame : SpatialMotion<T> {
   Matrix3<T> rotation;  ///< A(p)
   Vector3<T> spin;      ///< ω = A ω′, inertial [rad/s]
+  bool moves = true;    ///< false of the ground, where much is known to be zero
 
+  SpatialFrame() = default;  ///< of nothing yet
   /// Forms A and ω.
   explicit SpatialFrame(const SpatialMotion<T>& motion)
       : SpatialMotion<T>(motion),
         rotation(rotation_matrix(motion.parameters)),
         spin(product(rotation, motion.body_spin)) {}
+
+  /// On another scalar, as a constant.
+  template <class S>
+  SpatialFrame<S> cast() const {
+    SpatialFrame<S> frame;
+    frame.position = this->position.template cast<S>();
+    frame.parameters = this->parameters.template cast<S>();
+    frame.velocity = this->velocity.template cast<S>();
+    frame.body_spin = this->body_spin.template cast<S>();
+    frame.rotation = rotation.template cast<S>();
+    frame.spin = spin.template cast<S>();
+    frame.moves = moves;
+    return frame;
+  }
 };
 
 /// A s′, a body-fixed vector seen in the inertial frame.
@@ -108,6 +124,14 @@ Vector3<T> inertial_vector(const SpatialFrame<T>& body, const Vector3<RealOf<T>>
 template <class T>
 SpatialMotion<T> spatial_ground_motion() {
   return {zero_vector<T>(), EulerParameters<T>(T(1), T(0), T(0), T(0)), zero_vector<T>(), zero_vector<T>()};
+}
+
+/// Its frame.
+template <class T>
+SpatialFrame<T> spatial_ground_frame() {
+  SpatialFrame<T> frame(spatial_ground_motion<T>());
+  frame.moves = false;
+  return frame;
 }
 
 /// Position, velocity and arm of a body-fixed point.
@@ -123,6 +147,10 @@ struct SpatialPoint {
 /// @param point  s′, from the mass centre, in the body's frame [m]
 template <class T>
 SpatialPoint<T> point_motion(const SpatialFrame<T>& body, const Vector3<RealOf<T>>& point) {
+  if (!body.moves) {
+    const Vector3<T> at = point.template cast<T>();
+    return {at, at, zero_vector<T>(), zero_vector<T>()};
+  }
   const Vector3<T> s = inertial_vector(body, point);
   const Vector3<T> turning = cross(body.spin, s);
   return {s, sum(body.position, s), turning, sum(body.velocity, turning)};

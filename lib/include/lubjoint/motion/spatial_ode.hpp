@@ -15,7 +15,7 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
  public:
   using State = std::vector<R>;                                            ///< y
   using Jacobian = JacobianOf<R, run_time_size>;                           ///< ∂ẏ/∂y
-  static constexpr int jacobian_group = static_cast<int>(spatial_states);  ///< columns of the Jacobian a pass
+  static constexpr int jacobian_group = static_cast<int>(spatial_states);  ///< columns of the Jacobian: a body's
   /// A number with the derivatives of one pass.
   using Seeded = Dual<R, jacobian_group>;
 
@@ -31,8 +31,12 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   std::size_t evaluations() const { return evaluations_; }  ///< of ẏ, so far
   void count_from(std::size_t n) { evaluations_ = n; }      ///< looks at a run are none of its cost
 
-  std::vector<JointMemory<R>>& memory() { return memory_; }              ///< of the joints; empty where none has any
-  const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
+  /// Of the joints; empty where none has any. May be changed.
+  std::vector<JointMemory<R>>& memory() {
+    is_evaluated_ = false;
+    return memory_;
+  }
+  const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise, to be looked at
 
   /// ẏ; counted.
   void rate(const State& y, State& dydt, const R& t) override;
@@ -44,7 +48,12 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   /// Everything at a state: joints, multipliers, rows; with the memory given, or the current one.
   const SpatialWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory);
   const SpatialWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }  ///< likewise
-  SpatialWorkspace<R>& workspace() { return real_; }                                       ///< of the last evaluation
+  /// Of the last evaluation. May be changed.
+  SpatialWorkspace<R>& workspace() {
+    is_evaluated_ = false;
+    return real_;
+  }
+  const SpatialWorkspace<R>& last() const { return real_; }  ///< likewise, to be looked at
 
   /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
   MechanicalEnergy<R> energy(const State& y) const {
@@ -66,9 +75,22 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   }
 
  private:
+  /// Everything at (t, y), unless that was the last that was asked for: a step's end is, by its method, by the run and
+  /// by the recorder.
+  void evaluate(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+    const bool is_same_piece = &memory == &memory_ || memory.empty();
+    if (is_evaluated_ && is_same_piece && t == evaluated_t_ && y == evaluated_y_) return;
+    is_evaluated_ = false;
+    ++evaluations_;
+    system_.evaluate(t, y.data(), memory, real_);
+    is_evaluated_ = is_same_piece;
+    evaluated_t_ = t;
+    evaluated_y_ = y;
+  }
+
+  /// ẏ of an evaluated workspace.
   template <class T, class Time>
-  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SpatialWorkspace<T>& w) const {
-    system_.evaluate(t, y.data(), memory_, w);
+  void fill(const Time& t, std::vector<T>& dydt, const SpatialWorkspace<T>& w) const {
     const std::size_t n = system_.bodies().size();
     for (std::size_t b = 0; b < n; ++b) {
       const SpatialFrame<T>& frame = w.frames[b];
@@ -109,9 +131,13 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   bool with_ledger_;
   SpatialWorkspace<R> real_;
   SpatialWorkspace<Seeded> dual_;
+  std::vector<Seeded> seeded_, powers_;
   RunTimeJacobian<jacobian_group, R> derivatives_;
   std::vector<JointMemory<R>> memory_;
   std::vector<bool> drives_;  ///< of each row
+  State evaluated_y_;
+  R evaluated_t_{};
+  bool is_evaluated_ = false;  ///< does real_ hold everything there, of the present memory?
   std::size_t evaluations_ = 0;
 };
 
@@ -135,24 +161,59 @@ SpatialOde<R>::SpatialOde(const SpatialSystem<R>& system, bool with_ledger)
 
 template <class R>
 void SpatialOde<R>::rate(const State& y, State& dydt, const R& t) {
-  ++evaluations_;
-  fill(t, y, dydt, real_);
+  evaluate(t, y, memory_);
+  fill(t, dydt, real_);
 }
 
 template <class R>
 void SpatialOde<R>::jacobian(const State& y, Jacobian& j, const R& t) {
-  derivatives_.fill([&](const auto& x, auto& dxdt) { fill(t, x, dxdt, dual_); }, y, mechanical_states(), j);
+  const auto size = static_cast<Eigen::Index>(y.size());
+  j.setZero(size, size);
+  system_.evaluate(t, y.data(), memory_, dual_.implicit.at);
+  seeded_.assign(y.begin(), y.end());
+  const std::size_t places = system_.places();
+  for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+    const auto column = [&](std::size_t k) {
+      return k < spatial_coordinates ? spatial_coordinates * b + k
+                                     : places + spatial_velocities * b + (k - spatial_coordinates);
+    };
+    for (std::size_t k = 0; k < spatial_states; ++k)
+      seeded_[column(k)] = Seeded::variable(y[column(k)], static_cast<Eigen::Index>(k));
+    system_.differentiate(b, t, seeded_.data(), memory_, dual_);
+    const auto put = [&](std::size_t row, const Seeded& rate) {
+      for (std::size_t k = 0; k < spatial_states; ++k) {
+        j(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column(k))) =
+            rate.derivatives()(static_cast<Eigen::Index>(k));
+      }
+    };
+    const SpatialFrame<Seeded>& frame = dual_.frames[b];
+    const EulerParameters<Seeded> p_rate = euler_rate(frame.parameters, frame.body_spin);
+    for (std::size_t k = 0; k < 3; ++k) put(spatial_coordinates * b + k, frame.velocity(static_cast<Eigen::Index>(k)));
+    for (std::size_t k = 0; k < 4; ++k) put(spatial_coordinates * b + 3 + k, p_rate(static_cast<Eigen::Index>(k)));
+    for (std::size_t i = 0; i < dual_.accelerations.size(); ++i) put(places + i, dual_.accelerations[i]);
+    if (with_ledger_) {
+      powers_.resize(works());
+      fill_powers(t, dual_, powers_.data());
+      for (std::size_t i = 0; i < works(); ++i) put(mechanical_states() + i, powers_[i]);
+    }
+    for (std::size_t k = 0; k < spatial_states; ++k) seeded_[column(k)] = Seeded(y[column(k)]);
+  }
 }
 
 template <class R>
 void SpatialOde<R>::time_slope(const State& y, State& slope, const R& t) {
-  derivatives_.fill_time_slope([&](const auto& x, auto& dxdt, const Seeded& s) { fill(s, x, dxdt, dual_); }, y, t,
-                               slope);
+  const auto rate = [&](const auto& x, auto& dxdt, const Seeded& s) {
+    system_.evaluate(s, x.data(), memory_, dual_);
+    fill(s, dxdt, dual_);
+  };
+  derivatives_.fill_time_slope(rate, y, t, slope);
 }
 
 template <class R>
 const SpatialWorkspace<R>& SpatialOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
-  system_.evaluate(t, y.data(), memory, real_);
+  const std::size_t counted = evaluations_;
+  evaluate(t, y, memory);
+  evaluations_ = counted;
   return real_;
 }
 

@@ -17,7 +17,8 @@ namespace lubjoint {
 
 /// A system in space as a run sees it. Each joint that may touch, or whose half film jumps, has a piece of its own. A
 /// film whose edge meets its wall, |e| + ψL/2 = c, is outside the model where the joint has no contact: the run ends
-/// there, by handing over to nothing. So does one that would slide on the jump of a half film: it gets stuck.
+/// there, by handing over to nothing. So does one that would slide on the jump of a half film, whose force drives it
+/// back from either side.
 template <class R>
 class SpatialPieces {
  public:
@@ -27,8 +28,13 @@ class SpatialPieces {
   static constexpr bool has_events = true;                 ///< or a projection
   static constexpr std::size_t looks_each = 2;             ///< a journal may touch and leave within a short time
 
-  SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep)
-      : ode_(ode), upkeep_(upkeep), unparted_(ode.system().joints().size(), false) {}
+  /// @param norm_error  of Euler parameters, ||p| − 1|, that may stay
+  SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep, double norm_error)
+      : ode_(ode), upkeep_(upkeep), norm_error_(norm_error), unparted_(ode.system().joints().size(), false) {
+    for (const SpatialJointElement<R>& joint : ode.system().joints()) {
+      has_pieces_ = has_pieces_ || joint.plane.has_contact() || joint.plane.has_half_film();
+    }
+  }
 
   /// The pieces that a start is in.
   void start(const R& t, const State& y) {
@@ -60,8 +66,18 @@ class SpatialPieces {
 
   // What a run asks for (EventSystem).
 
-  bool watches() const { return !ode_.system().joints().empty(); }  ///< has any joint?
-  OdeSystem<R, run_time_size>& equations() { return ode_; }         ///< of the present pieces
+  /// Asked after each step, whose end was evaluated last. Where no joint has pieces, the edges of the films alone may
+  /// be crossed: they are looked at where one has come half its way to the wall at an end of the step. A step that
+  /// brings it further and back inside, and is accepted, goes unnoticed, unless the journal itself leaves the film.
+  bool watches() {
+    if (has_pieces_ || ode_.system().joints().empty()) return has_pieces_;
+    const R before = least_room_;
+    least_room_ = R(1);
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j)
+      least_room_ = std::min<R>(least_room_, edge_room(j, ode_.last().joints[j].kinematics));
+    return std::min<R>(before, least_room_) < R(0.5);
+  }
+  OdeSystem<R, run_time_size>& equations() { return ode_; }  ///< of the present pieces
   /// None that the plane's interpolant could take for q with q̇ = v: events are looked for on cubics, and then located
   /// by the method.
   std::size_t coordinates() const { return 0; }
@@ -90,13 +106,15 @@ class SpatialPieces {
     }
   }
 
-  /// Euler parameters of norm 1; constraints by projection, where that is their upkeep.
-  bool hold(const R& t, State& y, bool) {
+  /// Euler parameters of norm 1, to the error that may stay or, if exactly, to rounding; constraints by projection,
+  /// where that is their upkeep.
+  bool hold(const R& t, State& y, bool exactly) {
     for (std::size_t j = 0; j < unparted_.size(); ++j) {
       if (unparted_[j]) note_parted(y, j);
     }
     bool changed = false;
-    for (std::size_t b = 0; b < ode_.system().bodies().size(); ++b) changed = normalise(&y[7 * b + 3]) || changed;
+    for (std::size_t b = 0; b < ode_.system().bodies().size(); ++b)
+      changed = normalise(&y[7 * b + 3], exactly) || changed;
     if (upkeep_ == ConstraintUpkeep::by_projection && ode_.system().constraint_rows() > 0) {
       projected_ = y;
       try {
@@ -123,6 +141,7 @@ class SpatialPieces {
         FilmSide& side = ode_.memory()[j].side;
         side = side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
         unparted_[j] = true;
+        if (comes_back(t, y, j)) return AfterEvent::hand_over;
         break;
       }
       default:
@@ -160,13 +179,13 @@ class SpatialPieces {
     return ode_.system().joints()[j].plane.has_half_film() && ode_.memory()[j].phase != ContactPhase::dry;
   }
 
-  bool normalise(R* p) {
+  bool normalise(R* p, bool exactly) {
     using std::abs;
     using std::sqrt;
     const R square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
     const R size = sqrt(square);
     norm_drift_ = std::max(norm_drift_, std::abs(static_cast<double>(size - 1)));
-    if (!(abs(R(square - 1)) > 4 * epsilon())) return false;
+    if (!(abs(R(size - 1)) > (exactly ? R(2 * epsilon()) : R(norm_error_)))) return false;
     for (std::size_t k = 0; k < 4; ++k) p[k] /= size;
     return true;
   }
@@ -198,6 +217,27 @@ class SpatialPieces {
     const Margin<R> margin = side_margin(motion, j);
     unparted_[j] = !(margin.value > margin.rounding || margin.value < -margin.rounding);
     if (margin.value < -margin.rounding) side = FilmSide::mirrored;
+  }
+
+  /// e × u
+  static R side_moment(const JournalMotion<R>& motion) {
+    const R half = motion.journal_spin / 2;
+    const Vector2<R>& e = motion.eccentricity;
+    return lubjoint::cross(e, Vector2<R>(R(motion.velocity.x() + half * e.y()), R(motion.velocity.y() - half * e.x())));
+  }
+
+  /// Does the force of the side that has just begun drive a half film back over a = 0? By the change of e × u, which is
+  /// 0 there, in a millionth of the time in which the journal crosses its clearance.
+  bool comes_back(const R& t, const State& y, std::size_t j) {
+    const JournalMotion<R> motion = motion_of(y, j);
+    const R pace = length(motion.velocity) / ode_.system().joints()[j].plane.bearing.clearance();
+    const R rate = std::max<R>(pace, motion.journal_spin < 0 ? R(-motion.journal_spin) : motion.journal_spin);
+    if (!(rate > 0)) return false;
+    State moved = y;
+    ode_.rate(y, moved, t);
+    for (std::size_t i = 0; i < y.size(); ++i) moved[i] = y[i] + moved[i] * (R(1e-6) / rate);
+    const R change = side_moment(motion_of(moved, j)) - side_moment(motion);
+    return ode_.memory()[j].side == FilmSide::mirrored ? change < 0 : change > 0;
   }
 
   void note_parted(const State& y, std::size_t j) {
@@ -237,6 +277,9 @@ class SpatialPieces {
 
   SpatialOde<R>& ode_;
   ConstraintUpkeep upkeep_;
+  double norm_error_;
+  bool has_pieces_ = false;     ///< may a joint touch, or its half film change its side?
+  R least_room_{0};             ///< of the edges of films, at the end of the last step
   State projected_;             ///< a copy: a projection that fails leaves nothing behind
   std::vector<bool> unparted_;  ///< of each joint: is it on a side that has not left a = 0 yet?
   std::vector<ContactEvent> events_;

@@ -20,8 +20,10 @@ template <class R>
 class SpatialRecorder {
  public:
   /// @param pieces  into so many a step is divided in the search for its extremes
-  SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces)
-      : ode_(ode), outputs_(settings), pieces_(pieces) {
+  /// @param resolution  below which a quantity is the run's own error: its peaks are not searched, and count as 0
+  SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces,
+                  const SpatialResolution& resolution)
+      : ode_(ode), outputs_(settings), pieces_(pieces), resolution_(resolution) {
     const auto& constraints = ode.system().constraints();
     for (std::size_t c = 0; c < constraints.size(); ++c) {
       if (constraints[c].is_driver()) {
@@ -41,7 +43,7 @@ class SpatialRecorder {
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
     balance_.start(ode_.energy(y));
-    note_drift(ode_.workspace(), y);
+    note_drift(ode_.last(), y);
   }
 
   /// An accepted step: the samples in it, and its extremes.
@@ -62,7 +64,11 @@ class SpatialRecorder {
       const double share = static_cast<double>(i) / static_cast<double>(pieces_);
       return i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
     };
-    for (std::size_t i = 0; i <= pieces_; ++i) {
+    // A step begins where the last one has ended, unless its joints are in other pieces.
+    const bool goes_on = step->memory.empty() && step->t_old == seen_to_;
+    seen_to_ = step->t_new;
+    for (std::vector<double>& looks : looks_) looks.front() = looks.back();
+    for (std::size_t i = goes_on ? 1 : 0; i <= pieces_; ++i) {
       if (i == pieces_) {
         state_ = step->y_new;
       } else {
@@ -117,8 +123,13 @@ class SpatialRecorder {
 
   const std::vector<SpatialSample>& samples() const { return samples_; }  ///< in order
   const SpatialDrift& drift() const { return drift_; }                    ///< largest so far, but for |p|'s
-  double energy_residual() const { return balance_.residual(); }          ///< largest |E − E₀ − work| [J]
-  double energy_scale() const { return balance_.scale(); }                ///< largest kinetic energy or work [J]
+  /// Are the rows that were left out still implied by the others? They are then off by as much as those, added up along
+  /// the loop, which is given a factor of 100; rows of rad and of m are compared by the size of the mechanism.
+  bool is_redundant_still() const { return left_out_ <= redundant_limit(); }
+  /// How far a row that was left out may be off [m or rad].
+  double largest_left_out(std::size_t row) const { return redundant_limit() * unit_of_row(row); }
+  double energy_residual() const { return balance_.residual(); }  ///< largest |E − E₀ − work| [J]
+  double energy_scale() const { return balance_.scale(); }        ///< largest kinetic energy or work [J]
 
   /// Of the joints, in order; after finish.
   const std::vector<SpatialJointExtremes>& joint_extremes() const { return joint_extremes_; }
@@ -140,6 +151,27 @@ class SpatialRecorder {
     spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
   }
 
+  double redundant_limit() const { return std::max(1e-6, 100 * kept_); }
+  double unit_of_row(std::size_t row) const { return ode_.system().row_is_length(row) ? resolution_.mechanism : 1; }
+
+  /// A quantity, or 0 where the run can't tell it from its own errors. The peaks of these, which an interpolant shows
+  /// and the method does not confirm, would be searched in every step.
+  static double above(double least, double value) { return value > least ? value : 0; }
+
+  double tilt(const SpatialJointForce<R>& force) const {
+    return above(resolution_.angle, static_cast<double>(force.kinematics.tilt()));
+  }
+  /// Share of the film that a tilt takes at the bearing's edge. Where a film gives way to contact, the transition's
+  /// width stands for a thinner film: what it does not feel is no share of it. 0 of a joint without a film.
+  static double edge_share(const SpatialJointElement<R>& joint, double tilt, double eccentricity) {
+    if (!joint.plane.film) return 0;
+    const double gap = static_cast<double>(joint.plane.bearing.clearance()) - eccentricity;
+    const auto& contact = joint.plane.contact;
+    const double floor = contact && contact->transition ? static_cast<double>(contact->transition->e0) : 0;
+    const double film = std::max(gap, floor);
+    return film > 0 ? static_cast<double>(joint.edge_shift(R(tilt))) / film : 0;
+  }
+
   static double length(const Vector2<R>& v) { return static_cast<double>(v.norm()); }
 
   /// What number k of the peaks is of: of each joint |e|, |F|, ψ, |σ| and the edge's share; then the effort of each
@@ -149,7 +181,9 @@ class SpatialRecorder {
     if (k >= first_reaction_) {
       const Reaction& reaction = reactions_[k - first_reaction_];
       const SpatialReaction<R> at = ode_.system().reaction_at_joint(reaction.constraint, w);
-      return static_cast<double>(reaction.of_moment ? at.moment.norm() : at.force.norm());
+      const double force = static_cast<double>(at.force.norm());
+      // Of an arm that is known to the tolerance.
+      return reaction.of_moment ? above(force * resolution_.length, static_cast<double>(at.moment.norm())) : force;
     }
     if (k >= first_driver_) {
       const double value = static_cast<double>(ode_.system().driving_effort(drivers_[(k - first_driver_) / 2], w));
@@ -164,13 +198,11 @@ class SpatialRecorder {
       case 1:
         return length(force.plane.total());
       case 2:
-        return static_cast<double>(force.kinematics.tilt());
+        return tilt(force);
       case 3:
-        return std::abs(static_cast<double>(force.kinematics.sliding));
-      default: {
-        const double gap = static_cast<double>(joint.plane.bearing.clearance()) - eccentricity;
-        return gap > 0 ? static_cast<double>(joint.edge_shift(force.kinematics.tilt())) / gap : 0;
-      }
+        return above(resolution_.length, std::abs(static_cast<double>(force.kinematics.sliding)));
+      default:
+        return edge_share(joint, tilt(force), eccentricity);
     }
   }
 
@@ -187,7 +219,14 @@ class SpatialRecorder {
     return quantity(k, ode_.at(t, exact_, step.memory));
   }
 
-  void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
+  /// @param at  whose Euler parameters may be off by a share of the tolerance: a sample's are not
+  void add_sample(const R& t, const std::vector<R>& at, const std::vector<JointMemory<R>>& memory) {
+    std::vector<R> y = at;
+    for (std::size_t b = 0; b < ode_.system().bodies().size(); ++b) {
+      R* p = &y[spatial_coordinates * b + 3];
+      const EulerParameters<R> unit = normalised(EulerParameters<R>(p[0], p[1], p[2], p[3]));
+      std::copy(unit.data(), unit.data() + 4, p);
+    }
     const SpatialWorkspace<R>& w = ode_.at(t, y, memory);
     const auto narrow = [](const R& value) { return static_cast<double>(value); };
     SpatialSample sample;
@@ -218,8 +257,10 @@ class SpatialRecorder {
       const double off = std::abs(static_cast<double>(w.rows[row].value));
       drift_.position = std::max(drift_.position, off);
       drift_.velocity = std::max(drift_.velocity, std::abs(static_cast<double>(ode_.system().constraint_rate(row, w))));
-      if (std::binary_search(without.begin(), without.end(), row))
-        drift_.left_out_position = std::max(drift_.left_out_position, off);
+      const bool is_left_out = std::binary_search(without.begin(), without.end(), row);
+      if (is_left_out) drift_.left_out_position = std::max(drift_.left_out_position, off);
+      double& share = is_left_out ? left_out_ : kept_;
+      share = std::max(share, off / unit_of_row(row));
     }
     if (ode_.with_ledger()) balance_.note(ode_.energy(y), y, ode_.mechanical_states());
   }
@@ -227,6 +268,8 @@ class SpatialRecorder {
   SpatialOde<R>& ode_;
   OutputTimes outputs_;
   std::size_t pieces_;
+  SpatialResolution resolution_;
+  double kept_ = 0, left_out_ = 0;  ///< drift of the rows in rad, or in mechanisms
   std::vector<LargestValue<R>> largest_;
   std::vector<std::vector<double>> looks_;  ///< of each of them, at the places of a step that are looked at
   std::vector<std::size_t> drivers_;
@@ -240,6 +283,7 @@ class SpatialRecorder {
   EnergyBalance<R> balance_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};
+  R seen_to_{-1};  ///< end of the last step
 };
 
 }  // namespace lubjoint

@@ -26,13 +26,21 @@ struct SpatialSample {
   std::vector<double> ledger;              ///< kinetic, potential, then the work of each term; empty if not asked for
 };
 
+/// By what a run in space tells what is there from its own errors.
+struct SpatialResolution {
+  double mechanism;  ///< its size, by which rows of m and of rad are compared [m]
+  double length;     ///< tolerance of places [m]
+  double angle;      ///< tolerance of angles [rad]
+};
+
 /// Peaks of a joint in space.
 struct SpatialJointExtremes {
   Peak eccentricity{0, 0};  ///< |e| [m]
   Peak force{0, 0};         ///< |F| [N]
-  Peak tilt{0, 0};          ///< ψ [rad]
-  Peak sliding{0, 0};       ///< |σ| [m]
-  /// (ψL/2)/(c − |e|), what the tilt takes of the film at the bearing's edge; not in contact.
+  Peak tilt{0, 0};          ///< ψ; 0 below the tolerance of angles [rad]
+  Peak sliding{0, 0};       ///< |σ|; 0 below the tolerance of places [m]
+  /// (ψL/2)/(c − |e|), what the tilt takes of the film at the bearing's edge. With a transition to contact, over its
+  /// width e₀ where the film is thinner.
   Peak edge_share{0, 0};
 };
 

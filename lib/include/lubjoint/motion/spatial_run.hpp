@@ -23,17 +23,15 @@ class SpatialRun {
   using Method = Integrator<R, run_time_size>;  ///< that makes the steps
 
   /// @param method  with the tolerance of every state in its own unit
-  /// @param mechanism  size of the mechanism [m], of which a relative 1e-6 tells rows left out that are redundant no
-  /// more
+  /// @param resolution  by which the run's errors are told from what is there
   SpatialRun(SpatialOde<R>& ode, const RunSettings& settings, std::unique_ptr<Method> method, ConstraintUpkeep upkeep,
-             double mechanism)
+             const SpatialResolution& resolution)
       : ode_(ode),
         settings_(settings),
         method_(std::move(method)),
-        largest_left_out_(1e-6 * mechanism),
-        pieces_(ode, upkeep),
+        pieces_(ode, upkeep, resolution.angle / 20),
         engine_(pieces_, *method_, settings_, outcome_, guard_),
-        recorder_(ode, settings, method_->looks_inside()) {}
+        recorder_(ode, settings, method_->looks_inside(), resolution) {}
 
   /// The parts of a run refer to each other.
   SpatialRun(const SpatialRun&) = delete;
@@ -50,7 +48,7 @@ class SpatialRun {
     const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
-      step->memory = ode_.memory();
+      step->memory = std::as_const(ode_).memory();
       step->sampled_by_steps = !is_implicit() || accepted.shortened;
       // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
       if (is_implicit() && accepted.shortened) step->smooth_rates = false;
@@ -60,7 +58,7 @@ class SpatialRun {
         leaves_film_ = true;
         return false;
       }
-      return recorder_.drift().left_out_position <= largest_left_out_;
+      return recorder_.is_redundant_still();
     });
     if (result.end != RunEnd::duration_reached) stop(result);
     recorder_.finish(t_, y_);
@@ -137,11 +135,12 @@ class SpatialRun {
     const SpatialWorkspace<R>& w = ode_.at(t_, y_);
     for (const std::size_t row : ode_.system().left_out()) {
       const double off = std::abs(static_cast<double>(w.rows[row].value));
-      if (off <= largest_left_out_) continue;
+      if (off <= recorder_.largest_left_out(row)) continue;
       return "constraint " + detail::constraint_of_row(ode_.system(), row) +
              " has a row that others implied at the start, and that is now off by " + detail::number(off) +
-             " m or rad: it is redundant no more; give the scene constraints that are independent, or none that "
-             "disagree";
+             (ode_.system().row_is_length(row) ? " m" : " rad") +
+             ", more than theirs could: it is redundant no more; give the scene constraints that are independent, or "
+             "none that disagree";
     }
     return {};
   }
@@ -152,6 +151,10 @@ class SpatialRun {
     const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name() + "\""; };
     using Kind = typename SpatialPieces<R>::Kind;
     const Kind kind = SpatialPieces<R>::kind_of(result.margin);
+    const std::string on_jump =
+        " can't leave the jump of its half film at a = 0, on which scenes in space do not slide; use a law without a "
+        "jump, such as a dynamic one";
+    if (result.end == RunEnd::handed_over && kind == Kind::side) return near.words + joint() + on_jump;
     if (result.end == RunEnd::handed_over) {
       const std::size_t j = static_cast<std::size_t>(&pieces_.joint_of(result.margin) - ode_.system().joints().data());
       const double tilt = static_cast<double>(ode_.system().joint_kinematics(j, ode_.workspace()).tilt());
@@ -187,10 +190,7 @@ class SpatialRun {
                                       : "the film's edge at the wall of ") +
                joint() + " can't be located; use a tighter tolerance";
       case RunEnd::stuck:
-        return near.words + joint() +
-               (kind == Kind::contact ? " can't leave a seam of its contact"
-                                      : " can't leave the jump of its half film at a = 0, on which scenes in space do "
-                                        "not slide; use a law without a jump, such as a dynamic one");
+        return near.words + joint() + (kind == Kind::contact ? " can't leave a seam of its contact" : on_jump);
       default:
         if (near.words.empty()) {
           return "no step, however short, gives a finite state; use a looser relative_tolerance, or lower the loads "
@@ -218,7 +218,6 @@ class SpatialRun {
   SpatialOde<R>& ode_;
   RunSettings settings_;
   std::unique_ptr<Method> method_;
-  double largest_left_out_;
   RunOutcome outcome_;
   SpatialPieces<R> pieces_;
   StallGuard<R> guard_;

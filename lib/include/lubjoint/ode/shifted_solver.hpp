@@ -2,20 +2,22 @@
 #pragma once
 
 #include "lubjoint/ode/complex_shift_solver.hpp"
+#include "lubjoint/ode/kinematic_solver.hpp"
 #include "lubjoint/ode/second_order_solver.hpp"
 
 namespace lubjoint {
 
 /// (γI − J) x = r and ((α + iβ) I − J)(x + iy) = r + is, for one J and many right-hand sides. Equations of motion are
-/// recognised by their Jacobian's form and solved at half the size.
+/// recognised by their Jacobian's form and solved at half the size, or, of bodies in space, at 6/13 of it.
 template <class R, int N>
 class ShiftedSolver {
  public:
   using Vector = Eigen::Matrix<R, N, 1>;  ///< a right-hand side
   using Matrix = Eigen::Matrix<R, N, N>;  ///< J
 
-  /// Takes the memory for n states.
-  explicit ShiftedSolver(Eigen::Index n) : shifted_(Matrix::Identity(n, n)), real_(shifted_), complex_(n) {}
+  /// Takes the memory for n states where N is given; else the first factorisation does, of what it needs.
+  explicit ShiftedSolver(Eigen::Index n)
+      : shifted_(Matrix::Identity(start_size(n), start_size(n))), real_(shifted_), complex_(start_size(n)) {}
 
   /// Factorises γI − J and (α + iβ) I − J.
   /// @param jacobian  kept by reference until the next call
@@ -30,8 +32,19 @@ class ShiftedSolver {
     if constexpr (can_reduce) {
       if (coordinates_ > 0) {
         jacobian_ = &jacobian;
+        reduced_states_ = 2 * coordinates_;
         real_reduced_.factorise(jacobian, coordinates_, gamma);
         complex_reduced_.factorise(jacobian, coordinates_, Complex(alpha, beta));
+        return;
+      }
+    }
+    if constexpr (may_be_in_space) {
+      const Eigen::Index bodies = bodies_of_kinematic_form(jacobian);
+      reduced_states_ = KinematicForm::states * bodies;
+      if (bodies > 0) {
+        jacobian_ = &jacobian;
+        real_in_space_.factorise(jacobian, bodies, gamma);
+        complex_in_space_.factorise(jacobian, bodies, Complex(alpha, beta));
         return;
       }
     }
@@ -47,6 +60,14 @@ class ShiftedSolver {
       if (coordinates_ > 0) {
         x = r;
         real_reduced_.solve_in_place(x, coordinates_);
+        solve_work(x, R(gamma_));
+        return;
+      }
+    }
+    if constexpr (may_be_in_space) {
+      if (reduced_states_ > 0) {
+        x = r;
+        real_in_space_.solve_in_place(x);
         solve_work(x, R(gamma_));
         return;
       }
@@ -68,18 +89,33 @@ class ShiftedSolver {
         return;
       }
     }
+    if constexpr (may_be_in_space) {
+      if (reduced_states_ > 0) {
+        both_.resize(real.size());
+        both_.real() = real;
+        both_.imag() = imaginary;
+        complex_in_space_.solve_in_place(both_);
+        solve_work(both_, Complex(alpha_, beta_));
+        real = both_.real();
+        imaginary = both_.imag();
+        return;
+      }
+    }
     complex_.solve_in_place(real, imaginary);
   }
 
  private:
   static constexpr bool can_reduce = std::is_floating_point_v<R> && (N == Eigen::Dynamic || N % 2 == 0);
+  static constexpr bool may_be_in_space = std::is_floating_point_v<R> && N == Eigen::Dynamic;
   static constexpr int half = N == Eigen::Dynamic ? Eigen::Dynamic : (N + 1) / 2;
   using Complex = std::complex<std::conditional_t<std::is_floating_point_v<R>, R, double>>;
+
+  static constexpr Eigen::Index start_size(Eigen::Index n) { return N == Eigen::Dynamic ? 0 : n; }
 
   /// The rows of work: λ x_w = r_w + C x_q + D x_v.
   template <class Both, class S>
   void solve_work(Both& x, const S& shift) const {
-    const Eigen::Index done = 2 * coordinates_;
+    const Eigen::Index done = reduced_states_;
     for (Eigen::Index i = done; i < x.size(); ++i) {
       auto sum = x(i);
       for (Eigen::Index j = 0; j < done; ++j) sum += (*jacobian_)(i, j) * x(j);
@@ -89,9 +125,13 @@ class ShiftedSolver {
 
   R gamma_ = 0, alpha_ = 0, beta_ = 0;
   Eigen::Index coordinates_ = 0;
+  Eigen::Index reduced_states_ = 0;  ///< (q, v) of equations of motion that were recognised; behind them is work
   const Matrix* jacobian_ = nullptr;
   SecondOrderSolver<R, half> real_reduced_;
   SecondOrderSolver<Complex, half> complex_reduced_;
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<may_be_in_space, KinematicSolver<R>, Nothing> real_in_space_;
+  [[no_unique_address]] std::conditional_t<may_be_in_space, KinematicSolver<Complex>, Nothing> complex_in_space_;
   Eigen::Matrix<Complex, N, 1> both_ = Eigen::Matrix<Complex, N, 1>::Zero(N == Eigen::Dynamic ? 0 : N);
   Matrix shifted_;
   Eigen::PartialPivLU<Matrix> real_;

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "lubjoint/multibody/assembly.hpp"
@@ -128,17 +129,20 @@ RowDependence<R> dependence_of_row(const DenseMatrix<R>& matrix, Eigen::Index ro
 inline constexpr double least_new_share = 1e-9;
 
 /// Where a row of Φ_v depends on others, so must Φ_t and γ, or no velocities or accelerations fulfil them all.
+/// @param units  of all rows: rad, or the size of the mechanism
 /// @returns what they disagree on; empty if on nothing
 template <class R>
 std::string disagreement(const DenseMatrix<R>& matrix, const SpatialWorkspace<R>& w, std::size_t row,
-                         const std::vector<std::size_t>& others, const RowDependence<R>& dependence) {
+                         const std::vector<std::size_t>& others, const RowDependence<R>& dependence,
+                         const std::vector<R>& units) {
   using std::abs;
   const R size = matrix.row(static_cast<Eigen::Index>(row)).norm();
   const auto disagrees = [&](const auto& value) {
     R left = value(w.rows[row]);
     R of_terms = abs(left);
     R largest(0);  // rows across a plane of motion have nothing but rounding of the others
-    for (const SpatialRow<R>& each : w.rows) largest = std::max<R>(largest, abs(value(each)));
+    for (std::size_t i = 0; i < w.rows.size(); ++i)
+      largest = std::max<R>(largest, abs(value(w.rows[i])) / units[i] * units[row]);
     for (std::size_t k = 0; k < others.size(); ++k) {
       const R weight = dependence.weights(static_cast<Eigen::Index>(k));
       if (abs(weight) <= R(least_new_share)) continue;  // rounding
@@ -229,9 +233,58 @@ std::pair<std::vector<std::size_t>, std::vector<std::size_t>> independent_rows(c
 
 }  // namespace detail
 
+namespace detail {
+
+/// Values of the rows of an evaluated workspace.
+/// @throws ConstraintError  that names a row that is not finite
+template <class R>
+DenseVector<R> finite_residual(const SpatialSystem<R>& system, const SpatialWorkspace<R>& w) {
+  DenseVector<R> residual(static_cast<Eigen::Index>(w.rows.size()));
+  for (std::size_t i = 0; i < w.rows.size(); ++i) {
+    const SpatialRow<R>& row = w.rows[i];
+    const auto is_finite = [](const R& x) { return std::isfinite(static_cast<double>(x)); };
+    if (!is_finite(row.value) || !std::all_of(row.first.begin(), row.first.end(), is_finite) ||
+        !std::all_of(row.second.begin(), row.second.end(), is_finite)) {
+      throw ConstraintError("constraint " + constraint_of_row(system, i) +
+                            " has no finite value near the start: what it measures is not defined there; allowed are "
+                            "starts near a position that fulfils the constraints");
+    }
+    residual(static_cast<Eigen::Index>(i)) = row.value;
+  }
+  return residual;
+}
+
+/// A body that is held to the ground as a whole has one place: there it is put, because the rows of its orientation are
+/// fulfilled by seven others as well, and steps from afar may come to those.
+template <class R>
+void place_held_bodies(const SpatialSystem<R>& system, R* y) {
+  const std::size_t bodies = system.bodies().size();
+  const auto axes = [](const BodyAxes<R>& at) {
+    Matrix3<R> a;
+    a << at.across, at.third(), at.axis;
+    return a;
+  };
+  for (const NamedSpatialConstraint<R>& each : system.constraints()) {
+    const auto* hold = std::get_if<FixedJoint<R>>(&each.constraint);
+    if (hold == nullptr || (hold->first.body != ground_body && hold->second.body != ground_body)) continue;
+    const bool of_second = hold->second.body != ground_body;
+    const BodyAxes<R>& ground = of_second ? hold->first : hold->second;
+    const BodyAxes<R>& held = of_second ? hold->second : hold->first;
+    const Matrix3<R> a = axes(ground) * axes(held).transpose();
+    EulerParameters<R> p = euler_parameters<R>(a);
+    if (p.dot(spatial_motion_in(y, bodies, held.body).parameters) < 0) p = -p;
+    const Vector3<R> position = ground.point - a * held.point;
+    R* q = y + spatial_coordinates * held.body;
+    std::copy(position.data(), position.data() + 3, q);
+    std::copy(p.data(), p.data() + 4, q + 3);
+  }
+}
+
+}  // namespace detail
+
 /// Moves a start onto the constraints: Gauss–Newton steps of least kinetic-energy norm for places, one linear step for
 /// velocities; Euler parameters are normalised. Rows that others imply are refused, or left out of the system.
-/// @param length  the size of the mechanism, of which a relative 1e-9 counts as fulfilled [m]
+/// @param length  the size of the mechanism, of which a relative 1e-9 counts as fulfilled, as 1e-9 rad does [m]
 /// @throws ConstraintError  redundant constraints (with rank), rows that conflict with others, or no position fulfils
 ///   them all (with the worst)
 template <class R>
@@ -244,39 +297,48 @@ SpatialStart<R> assemble_spatial_start(SpatialSystem<R>& system, const R& t, con
   const std::vector<R> given = y;
   detail::displace(system, std::vector<R>(system.velocities(), R(0)), y.data());  // |p| = 1
   if (system.constraint_rows() == 0) return result;
+  detail::place_held_bodies(system, y.data());
   system.leave_out({});
   SpatialWorkspace<R> w = system.template workspace<R>();
-  const auto rows = static_cast<Eigen::Index>(system.constraint_rows());
-  DenseVector<R> residual(rows);
+  const std::size_t rows = system.constraint_rows();
+  std::vector<R> units;
+  for (std::size_t row = 0; row < rows; ++row) units.push_back(system.row_is_length(row) ? length : R(1));
+  DenseVector<R> residual;
   Eigen::Index worst = 0;
+  // The largest share of a unit by which a row is open.
+  const auto largest_open = [&] {
+    return R(residual.cwiseAbs()
+                 .cwiseQuotient(Eigen::Map<const DenseVector<R>>(units.data(), residual.size()))
+                 .maxCoeff(&worst));
+  };
   R size(0);
   for (int iteration = 0; iteration < 50; ++iteration) {
     system.evaluate_kinematics(t, y.data(), w);
-    for (Eigen::Index i = 0; i < rows; ++i) residual(i) = w.rows[static_cast<std::size_t>(i)].value;
+    residual = detail::finite_residual(system, w);
     const R before = size;
-    size = residual.cwiseAbs().maxCoeff(&worst);
-    // To rounding of the mechanism's own size; the last step is taken anyway.
-    if (size <= 4 * std::numeric_limits<R>::epsilon() * length) break;
-    if (iteration > 8 && size < R(1e-9) * length && size >= before / 2) break;
+    size = largest_open();
+    // To rounding of angles, and of the mechanism's own size; the last step is taken anyway.
+    if (size <= 4 * std::numeric_limits<R>::epsilon()) break;
+    if (iteration > 8 && size < R(1e-9) && size >= before / 2) break;
     detail::displace(system, detail::least_change(system, detail::scaled_constraint_matrix(system, w), residual),
                      y.data());
   }
   system.evaluate_kinematics(t, y.data(), w);
   const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
-  for (Eigen::Index i = 0; i < rows; ++i) residual(i) = w.rows[static_cast<std::size_t>(i)].value;
-  size = residual.cwiseAbs().maxCoeff(&worst);
+  residual = detail::finite_residual(system, w);
+  size = largest_open();
   auto [kept, left_out] = detail::independent_rows(system, matrix);
   result.rank = kept.size();
-  if (!(size <= R(1e-9) * length)) {
+  if (!(size <= R(1e-9))) {
     std::ostringstream message;
     message << "the constraints are conflicting: no position near the start fulfils them all, and the nearest leaves "
                "constraint "
             << detail::constraint_of_row(system, static_cast<std::size_t>(worst)) << " open by "
-            << static_cast<double>(size) << " m or rad; the constraints have " << rows << " rows of rank "
-            << result.rank << " there; allowed are constraints that don't contradict each other";
+            << static_cast<double>(abs(residual(worst))) << " m or rad; the constraints have " << rows
+            << " rows of rank " << result.rank << " there; allowed are constraints that don't contradict each other";
     throw ConstraintError(message.str());
   }
-  for (Eigen::Index i = 0; i < rows; ++i) residual(i) = system.constraint_rate(static_cast<std::size_t>(i), w);
+  for (std::size_t i = 0; i < rows; ++i) residual(static_cast<Eigen::Index>(i)) = system.constraint_rate(i, w);
   const std::vector<R> change = detail::least_change(system, matrix, residual);
   for (std::size_t i = 0; i < change.size(); ++i) y[system.places() + i] += change[i];
   system.evaluate_kinematics(t, y.data(), w);  // γ is of the velocities
@@ -286,15 +348,16 @@ SpatialStart<R> assemble_spatial_start(SpatialSystem<R>& system, const R& t, con
     for (std::size_t row = 0; row < system.constraint_rows(); ++row) {
       const auto dependence = detail::dependence_of_row(matrix, static_cast<Eigen::Index>(row), earlier);
       if (!(dependence.share > R(detail::least_new_share))) {
-        detail::refuse_row(system, row, earlier, dependence, detail::disagreement(matrix, w, row, earlier, dependence),
-                           result.rank, "independent ones, or redundant = \"allow\"");
+        detail::refuse_row(system, row, earlier, dependence,
+                           detail::disagreement(matrix, w, row, earlier, dependence, units), result.rank,
+                           "independent ones, or redundant = \"allow\"");
       }
       earlier.push_back(row);
     }
   }
   for (const std::size_t row : left_out) {
     const auto dependence = detail::dependence_of_row(matrix, static_cast<Eigen::Index>(row), kept);
-    const std::string word = detail::disagreement(matrix, w, row, kept, dependence);
+    const std::string word = detail::disagreement(matrix, w, row, kept, dependence, units);
     if (!word.empty())
       detail::refuse_row(system, row, kept, dependence, word, result.rank, "constraints that don't contradict others");
   }

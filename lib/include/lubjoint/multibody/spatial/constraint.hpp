@@ -25,6 +25,10 @@ struct NamedSpatialConstraint {
   std::size_t rows() const {
     return std::visit([](const auto& c) { return c.rows; }, constraint);
   }
+  /// Is Φ of one of its rows a length [m], and not an angle [rad]?
+  bool is_length(std::size_t row) const {
+    return std::visit([row](const auto& c) { return c.is_length(row); }, constraint);
+  }
   /// Number of body i, or ground_body.
   std::size_t first_body() const {
     return std::visit([](const auto& c) { return c.first_body(); }, constraint);

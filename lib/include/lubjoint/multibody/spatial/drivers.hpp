@@ -40,6 +40,8 @@ template <class R>
 struct RotationalDriver : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 1;  ///< scalar equations
   PrescribedMotion<R> motion;             ///< f
+  /// Is Φ of a row a length? It is an angle.
+  static constexpr bool is_length(std::size_t) { return false; }
 
   /// On another scalar.
   template <class S>
@@ -68,9 +70,12 @@ struct RotationalDriver : detail::BetweenAxes<R> {
     const R turn = 2 * pi<R>();
     value = T(value - turn * R(round(R(value_of(value) / turn))));
     const Vector3<T> none = zero_vector<T>();
-    row[0] = {value, T(-motion.rate(t)),
-              T(motion.acceleration - (cosine * sine_second - sine * cosine_second) / square + change * angle_rate),
-              detail::columns(body_i, none, m), detail::columns(body_j, none, negative(m))};
+    row[0].value = value;
+    row[0].time_rate = T(-motion.rate(t));
+    row[0].gamma =
+        T(motion.acceleration - (cosine * sine_second - sine * cosine_second) / square + change * angle_rate);
+    if (detail::has_columns(body_i)) row[0].first = detail::columns(none, detail::in_body(body_i, m));
+    if (detail::has_columns(body_j)) row[0].second = detail::columns(none, detail::in_body(body_j, negative(m)));
   }
 };
 
@@ -80,6 +85,8 @@ template <class R>
 struct TranslationalDriver : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 1;  ///< scalar equations
   PrescribedMotion<R> motion;             ///< f
+  /// Is Φ of a row a length? It is a length.
+  static constexpr bool is_length(std::size_t) { return true; }
 
   /// On another scalar.
   template <class S>

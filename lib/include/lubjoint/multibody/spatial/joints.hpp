@@ -43,6 +43,21 @@ struct BetweenPoints {
   }
 };
 
+/// t₁i·n_j, t₂i·n_j, t₁i·d, t₂i·d. @returns t₁i
+template <class R, class T>
+TurningVector<T> fill_cylindrical(const BetweenAxes<R>& joint, const SpatialFrame<T>& body_i,
+                                  const SpatialFrame<T>& body_j, SpatialRow<T>* row) {
+  const PointPair<T> pair = point_pair(body_i, joint.first.point, body_j, joint.second.point);
+  const TurningVector<T> axis_j = turning_vector(body_j, joint.second.axis);
+  const TurningVector<T> across_i = turning_vector(body_i, joint.first.across);
+  const TurningVector<T> third_i = turning_vector(body_i, joint.first.third());
+  fill_perpendicular(body_i, across_i, body_j, axis_j, row[0]);
+  fill_perpendicular(body_i, third_i, body_j, axis_j, row[1]);
+  fill_across(body_i, across_i, body_j, pair, row[2]);
+  fill_across(body_i, third_i, body_j, pair, row[3]);
+  return across_i;
+}
+
 }  // namespace detail
 
 /// Body j held to body i as a whole: both frames of axes coincide.
@@ -50,6 +65,8 @@ struct BetweenPoints {
 template <class R>
 struct FixedJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 6;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row < 3; }
 
   /// On another scalar.
   template <class S>
@@ -73,6 +90,8 @@ struct FixedJoint : detail::BetweenAxes<R> {
 template <class R>
 struct SphericalJoint : detail::BetweenPoints<R> {
   static constexpr std::size_t rows = 3;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t) { return true; }
 
   /// On another scalar.
   template <class S>
@@ -90,6 +109,8 @@ struct SphericalJoint : detail::BetweenPoints<R> {
 template <class R>
 struct UniversalJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 4;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row < 3; }
 
   /// On another scalar.
   template <class S>
@@ -109,6 +130,8 @@ struct UniversalJoint : detail::BetweenAxes<R> {
 template <class R>
 struct RevoluteJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 5;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row < 3; }
 
   /// On another scalar.
   template <class S>
@@ -129,6 +152,8 @@ struct RevoluteJoint : detail::BetweenAxes<R> {
 template <class R>
 struct CylindricalJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 4;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row >= 2; }
 
   /// On another scalar.
   template <class S>
@@ -138,14 +163,7 @@ struct CylindricalJoint : detail::BetweenAxes<R> {
   /// Fills the rows from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time&, SpatialRow<T>* row) const {
-    const PointPair<T> pair = point_pair(body_i, this->first.point, body_j, this->second.point);
-    const TurningVector<T> axis_j = turning_vector(body_j, this->second.axis);
-    const TurningVector<T> across_i = turning_vector(body_i, this->first.across);
-    const TurningVector<T> third_i = turning_vector(body_i, this->first.third());
-    fill_perpendicular(body_i, across_i, body_j, axis_j, row[0]);
-    fill_perpendicular(body_i, third_i, body_j, axis_j, row[1]);
-    fill_across(body_i, across_i, body_j, pair, row[2]);
-    fill_across(body_i, third_i, body_j, pair, row[3]);
+    detail::fill_cylindrical(*this, body_i, body_j, row);
   }
 };
 
@@ -153,6 +171,8 @@ struct CylindricalJoint : detail::BetweenAxes<R> {
 template <class R>
 struct PrismaticJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 5;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row == 2 || row == 3; }
 
   /// On another scalar.
   template <class S>
@@ -161,10 +181,9 @@ struct PrismaticJoint : detail::BetweenAxes<R> {
   }
   /// Fills the rows from the motions of its two bodies at time t.
   template <class T, class Time>
-  void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>* row) const {
-    CylindricalJoint<R>{{this->first, this->second}}.evaluate(body_i, body_j, t, row);
-    fill_perpendicular(body_i, turning_vector(body_i, this->first.across), body_j,
-                       turning_vector(body_j, this->second.third()), row[4]);
+  void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time&, SpatialRow<T>* row) const {
+    const TurningVector<T> across_i = detail::fill_cylindrical(*this, body_i, body_j, row);
+    fill_perpendicular(body_i, across_i, body_j, turning_vector(body_j, this->second.third()), row[4]);
   }
 };
 
@@ -173,6 +192,8 @@ struct PrismaticJoint : detail::BetweenAxes<R> {
 template <class R>
 struct PlanarJoint : detail::BetweenAxes<R> {
   static constexpr std::size_t rows = 3;  ///< scalar equations
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t row) { return row == 2; }
 
   /// On another scalar.
   template <class S>
@@ -195,6 +216,8 @@ template <class R>
 struct DistanceJoint : detail::BetweenPoints<R> {
   static constexpr std::size_t rows = 1;  ///< scalar equations
   R length;                               ///< l > 0 [m]
+  /// Is Φ of a row a length, and not the cosine of two vectors?
+  static constexpr bool is_length(std::size_t) { return true; }
 
   /// On another scalar.
   template <class S>

@@ -12,25 +12,24 @@
 
 namespace lubjoint {
 
+template <class T>
+struct SpatialWorkspace;
+
 namespace detail {
 
-/// What the solve needs beside the workspace on a scalar with derivatives; on a plain number, nothing.
+/// What an evaluation needs beside the workspace on a scalar with derivatives; on a plain number, nothing.
 template <class T, bool = ScalarTraits<T>::carries_derivatives>
-struct SpatialDifferentiation {
-  void resize(std::size_t, std::size_t, std::size_t) {}
-};
+struct SpatialDifferentiation {};
 template <class T>
 struct SpatialDifferentiation<T, true> {
   using R = RealOf<T>;
   using Derivatives = std::decay_t<decltype(std::declval<T>().derivatives())>;
-  std::vector<SpatialRow<R>> rows;
-  std::vector<R> accelerations, multipliers;
+  SpatialWorkspace<R> at;  ///< the values
+  std::vector<R> state;    ///< y without derivatives
   std::vector<Derivatives> d_accelerations, d_multipliers, d_forces, d_kept;
 
-  void resize(std::size_t velocities, std::size_t constraint_rows, std::size_t kept_rows) {
-    rows.resize(constraint_rows);
-    accelerations.resize(velocities);
-    multipliers.resize(constraint_rows);
+  void resize(std::size_t states, std::size_t velocities, std::size_t constraint_rows, std::size_t kept_rows) {
+    state.resize(states);
     d_accelerations.resize(velocities);
     d_multipliers.resize(constraint_rows);
     d_forces.resize(velocities);
@@ -46,16 +45,17 @@ template <class T>
 struct SpatialWorkspace {
   using R = RealOf<T>;                                 ///< the number itself
   std::vector<SpatialFrame<T>> frames;                 ///< of the bodies
-  SpatialFrame<T> ground{spatial_ground_motion<T>()};  ///< what stands in for a body
+  SpatialFrame<T> ground = spatial_ground_frame<T>();  ///< what stands in for a body
   std::vector<SpatialRow<T>> rows;                     ///< of Φ = 0, those that are left out as well
   std::vector<SpatialJointForce<T>> joints;            ///< what each joint does
-  std::vector<T> forces;                               ///< f inertial, n′ − ω̃′J′ω′ in the body's frame
-  std::vector<T> accelerations;                        ///< (r̈, ω̇′) of each body
-  std::vector<T> multipliers;                          ///< λ; 0 of rows that are left out
-  std::vector<std::array<R, 6>> weighted;              ///< M⁻¹ times the columns of each side of each row
-  EnvelopeCholesky<R> schur;                           ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
-  std::vector<R> kept;                                 ///< work of a solve
-  detail::SpatialDifferentiation<T> implicit;          ///< derivatives through the solve
+  std::vector<T> forces;                       ///< f inertial, n′ − ω̃′J′ω′ in the body's frame; with
+                                               ///< derivatives, these alone
+  std::vector<T> accelerations;                ///< (r̈, ω̇′) of each body
+  std::vector<T> multipliers;                  ///< λ; 0 of rows that are left out
+  std::vector<std::array<R, 6>> weighted;      ///< M⁻¹ times the columns of each side of each row
+  EnvelopeCholesky<R> schur;                   ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
+  std::vector<R> kept;                         ///< work of a solve
+  detail::SpatialDifferentiation<T> implicit;  ///< derivatives through the solve
 };
 
 /// What a constraint does to its second body at the joint's point.
@@ -69,8 +69,8 @@ struct SpatialReaction {
 ///   ṗ = ½ Lᵀ ω′,   m r̈ = f,   J′ω̇′ = n′ − ω̃′J′ω′,   with −Φ_vᵀλ and Φ_v (r̈, ω̇′) = γ − 2αΦ̇ − β²Φ
 /// Source: Flores et al. (2009), section 6, eqs. 35 to 41. M = diag(m, J′) is constant: λ comes from the Schur
 /// complement Φ_v M⁻¹ Φ_vᵀ, whose structure is found once. Without constraints there is no solve. On a scalar with
-/// derivatives the value is solved once, and the derivatives of accelerations and λ are right-hand sides of the same
-/// factors.
+/// derivatives the values are those of a plain evaluation, and the derivatives of accelerations and λ are right-hand
+/// sides of its factors.
 template <class R>
 class SpatialSystem {
  public:
@@ -84,7 +84,10 @@ class SpatialSystem {
         elements_(std::move(elements)),
         gravity_(gravity),
         stabilisation_(stabilisation) {
-    for (const SpatialBody<R>& body : bodies_) inverse_inertia_.push_back(body.inverse_inertia());
+    for (const SpatialBody<R>& body : bodies_) {
+      inverse_mass_.push_back(1 / body.mass);
+      inverse_inertia_.push_back(body.inverse_inertia());
+    }
     first_row_.push_back(0);
     for (const NamedSpatialConstraint<R>& each : constraints_) {
       joint_points_.push_back(each.second_point());
@@ -114,6 +117,11 @@ class SpatialSystem {
   std::size_t first_body_of_row(std::size_t row) const { return sides_[row].first; }
   /// Body j of a row, or ground_body.
   std::size_t second_body_of_row(std::size_t row) const { return sides_[row].second; }
+  /// Is Φ of a row a length [m], and not an angle [rad]?
+  bool row_is_length(std::size_t row) const {
+    const std::size_t c = constraint_of(row);
+    return constraints_[c].is_length(row - first_row_[c]);
+  }
   /// J′⁻¹ of a body.
   const Matrix3<R>& inverse_inertia(std::size_t body) const { return inverse_inertia_[body]; }
 
@@ -133,42 +141,70 @@ class SpatialSystem {
   template <class T>
   SpatialWorkspace<T> workspace() const {
     SpatialWorkspace<T> w;
-    w.frames.assign(bodies_.size(), SpatialFrame<T>(spatial_ground_motion<T>()));
+    w.frames.assign(bodies_.size(), spatial_ground_frame<T>());
     w.rows.resize(constraint_rows());
     w.joints.resize(joints_.size());
     w.forces.resize(velocities());
     w.accelerations.resize(velocities());
     w.multipliers.assign(constraint_rows(), T(0));
-    w.weighted.resize(2 * constraint_rows());
-    w.schur = EnvelopeCholesky<R>(envelope_);
-    w.kept.resize(kept_.size());
-    w.implicit.resize(velocities(), constraint_rows(), kept_.size());
+    if constexpr (ScalarTraits<T>::carries_derivatives) {
+      w.implicit.at = workspace<R>();
+      w.implicit.resize(states(), velocities(), constraint_rows(), kept_.size());
+    } else {
+      w.weighted.resize(2 * constraint_rows());
+      w.schur = EnvelopeCholesky<R>(envelope_);
+      w.kept.resize(kept_.size());
+    }
     return w;
   }
 
-  /// Everything at (t, y): frames, joint forces, constraint rows, accelerations and λ, into the workspace. The time,
-  /// too, may carry derivatives.
+  /// Everything at (t, y): frames, joint forces, constraint rows, accelerations and λ, into the workspace.
   /// @param y  states() numbers;  @param memory  of the joints, one each, or none where none may touch or jump
   /// @throws FilmDomainError, JournalAcross, SingularConstraints, SpringWithoutDirection
-  template <class T, class Time>
-  void evaluate(const Time& t, const T* y, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w) const {
+  void evaluate(const R& t, const R* y, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<R>& w) const {
     place(y, w);
-    apply_forces(t, memory, w);
-    if (kept_.empty()) {
-      for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
-      if (constraint_rows() > 0) evaluate_constraints(t, w);
-      return;
-    }
-    evaluate_constraints(t, w);
+    apply_forces(t, memory, w, every_body);
+    evaluate_constraints(t, w, every_body);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
+    if (kept_.empty()) return;
     factorise(w);
-    solve(w);
+    for (const std::size_t row : kept_) w.multipliers[row] = -wanted_acceleration(row, w);
+    constrain(w, w.multipliers.data(), w.accelerations.data(), w.kept);
+  }
+  /// The same with derivatives, which the time, too, may carry.
+  template <class T, class Time>
+  requires ScalarTraits<T>::carries_derivatives void evaluate(const Time& t, const T* y,
+                                                              const std::vector<JointMemory<R>>& memory,
+                                                              SpatialWorkspace<T>& w) const {
+    for (std::size_t i = 0; i < states(); ++i) w.implicit.state[i] = value_of(y[i]);
+    evaluate(R(value_of(t)), w.implicit.state.data(), memory, w.implicit.at);
+    differentiate(every_body, t, y, memory, w);
+  }
+
+  /// In place of a body's number.
+  static constexpr std::size_t every_body = ground_body - 1;
+
+  /// Derivatives of everything at (t, y), whose values are in w.implicit.at: of accelerations and λ with their values,
+  /// of frames, rows, joints and forces with theirs where they have to do with the body; other joints do nothing.
+  /// @param body  whose states alone carry derivatives in y, or every_body
+  template <class T, class Time>
+  void differentiate(std::size_t body, const Time& t, const T* y, const std::vector<JointMemory<R>>& memory,
+                     SpatialWorkspace<T>& w) const {
+    const SpatialWorkspace<R>& at = w.implicit.at;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      w.frames[b] = has_to_do(body, b) ? SpatialFrame<T>(spatial_motion_in(y, bodies_.size(), b))
+                                       : at.frames[b].template cast<T>();
+    }
+    apply_forces(t, memory, w, body);
+    evaluate_constraints(t, w, body);
+    solve(body, w);
   }
 
   /// Frames and constraint rows alone.
   template <class T, class Time>
   void evaluate_kinematics(const Time& t, const T* y, SpatialWorkspace<T>& w) const {
     place(y, w);
-    evaluate_constraints(t, w);
+    evaluate_constraints(t, w, every_body);
   }
 
   /// Of a joint's journal in its bearing, from the frames of a workspace. @throws JournalAcross
@@ -195,32 +231,33 @@ class SpatialSystem {
   }
 
   /// Weights, loads, gyroscopic moments and joints, into forces.
+  /// @param body  whose part alone is formed, or every_body
   template <class T, class Time>
-  void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w) const {
+  void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w,
+                    std::size_t body) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const SpatialBody<R>& body = bodies_[b];
-      const SpatialFrame<T>& at = w.frames[b];
-      const Vector3<T> gyroscopic = cross(at.body_spin, product<T>(body.inertia.template cast<T>(), at.body_spin));
-      const Vector3<T> moment =
-          is_zero(body.moment) ? zero_vector<T>() : transposed_product<T>(at.rotation, body.moment.template cast<T>());
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        w.forces[6 * b + k] = T(body.mass * gravity_(i) + body.load(i));
-        w.forces[6 * b + 3 + k] = T(moment(i) - gyroscopic(i));
+      if (has_to_do(body, b)) {
+        apply_to_body(b, w);
+      } else {
+        std::fill_n(w.forces.begin() + static_cast<std::ptrdiff_t>(6 * b), 6, T(0));
       }
     }
-    const auto add = [&](std::size_t body, const Vector3<T>& force, const Vector3<T>& moment) {
-      if (body == ground_body) return;
-      const Vector3<T> in_body = transposed_product(w.frames[body].rotation, moment);
+    const auto add = [&](std::size_t b, const Vector3<T>& force, const Vector3<T>& moment) {
+      if (b == ground_body) return;
+      const Vector3<T> in_body = transposed_product(w.frames[b].rotation, moment);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        w.forces[6 * body + k] += force(i);
-        w.forces[6 * body + 3 + k] += in_body(i);
+        w.forces[6 * b + k] += force(i);
+        w.forces[6 * b + 3 + k] += in_body(i);
       }
     };
     static const JointMemory<R> no_memory;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const SpatialJointElement<R>& joint = joints_[j];
+      if (!has_to_do(body, joint.bearing_at.body) && !has_to_do(body, joint.journal_at.body)) {
+        if constexpr (ScalarTraits<T>::carries_derivatives) w.joints[j] = {};  // zeros
+        continue;
+      }
       w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
                                 memory.empty() ? no_memory : memory[j]);
       const SpatialWrench<T> on_bearing = w.joints[j].on_bearing();
@@ -230,96 +267,58 @@ class SpatialSystem {
     }
     if (elements_.empty()) return;
     elements_.template apply<T>(
-        t, [&](std::size_t body) -> const SpatialFrame<T>& { return frame(body, w); }, add);
+        t, [&](std::size_t b) -> const SpatialFrame<T>& { return frame(b, w); }, add);
   }
 
   /// Constraint rows of the frames.
+  /// @param body  whose rows alone are formed; the others are those of w.implicit.at
   template <class T, class Time>
-  void evaluate_constraints(const Time& t, SpatialWorkspace<T>& w) const {
+  void evaluate_constraints(const Time& t, SpatialWorkspace<T>& w, std::size_t body) const {
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
-      const Sides& sides = sides_[first_row_[c]];
+      const std::size_t row = first_row_[c];
+      const Sides& sides = sides_[row];
+      if (!has_to_do(body, sides)) {
+        if constexpr (ScalarTraits<T>::carries_derivatives) {
+          for (std::size_t i = row; i < first_row_[c + 1]; ++i) w.rows[i] = w.implicit.at.rows[i].template cast<T>();
+        }
+        continue;
+      }
       std::visit(
           [&](const auto& constraint) {
-            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
+            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[row]);
           },
           constraints_[c].constraint);
     }
   }
 
   /// Factors of Φ_v M⁻¹ Φ_vᵀ of the rows that are kept. @throws SingularConstraints
-  template <class T>
-  void factorise(SpatialWorkspace<T>& w) const {
-    if constexpr (ScalarTraits<T>::carries_derivatives) {
-      for (std::size_t i = 0; i < w.rows.size(); ++i) {
-        for (std::size_t k = 0; k < 6; ++k) {
-          w.implicit.rows[i].first[k] = value_of(w.rows[i].first[k]);
-          w.implicit.rows[i].second[k] = value_of(w.rows[i].second[k]);
+  void factorise(SpatialWorkspace<R>& w) const {
+    const std::vector<SpatialRow<R>>& rows = w.rows;
+    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
+      accelerate(body, (second ? rows[row].second : rows[row].first).data(),
+                 w.weighted[2 * row + (second ? 1 : 0)].data());
+    });
+    w.schur.set_zero();
+    for (const Block& block : blocks_) {
+      for (std::size_t i = block.first_row; i < block.end_row; ++i) {
+        const std::array<R, 6>& left = w.weighted[2 * kept_[i] + (block.row_second ? 1 : 0)];
+        const std::size_t end = std::min(block.end_column, i + 1);  // of the lower triangle
+        for (std::size_t k = block.first_column; k < end; ++k) {
+          const SpatialRow<R>& column = rows[kept_[k]];
+          const std::array<R, 6>& right = block.column_second ? column.second : column.first;
+          w.schur(i, k) += (left[0] * right[0] + left[1] * right[1] + left[2] * right[2]) +
+                           (left[3] * right[3] + left[4] * right[4] + left[5] * right[5]);
         }
       }
     }
-    const std::vector<SpatialRow<R>>& rows = values_of_rows(w);
-    for (const std::size_t row : kept_) {
-      if (sides_[row].first != ground_body)
-        accelerate(sides_[row].first, rows[row].first.data(), w.weighted[2 * row].data());
-      if (sides_[row].second != ground_body)
-        accelerate(sides_[row].second, rows[row].second.data(), w.weighted[2 * row + 1].data());
-    }
-    w.schur.set_zero();
-    for (const Pair& pair : pairs_) {
-      const std::array<R, 6>& left = w.weighted[2 * pair.row + (pair.row_second ? 1 : 0)];
-      const std::array<R, 6>& right = pair.column_second ? rows[pair.column].second : rows[pair.column].first;
-      R total = left[0] * right[0];
-      for (std::size_t k = 1; k < 6; ++k) total += left[k] * right[k];
-      w.schur(pair.in_row, pair.in_column) += total;
-    }
     w.schur.factorise();
-  }
-
-  /// λ and accelerations from forces, rows and factors.
-  void solve(SpatialWorkspace<R>& w) const {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
-    for (const std::size_t row : kept_) w.multipliers[row] = -wanted_acceleration(row, w);
-    constrain(w, w.rows, w.multipliers.data(), w.accelerations.data(), w.kept);
-  }
-
-  /// d(g − Φ_vᵀλ − M a) = 0 and d(Φ_v a − wanted) = 0 with a and λ held give the right-hand sides of da and dλ.
-  template <class T>
-  void solve(SpatialWorkspace<T>& w) const {
-    auto& a = w.implicit.accelerations;
-    auto& lambda = w.implicit.multipliers;
-    auto& da = w.implicit.d_accelerations;
-    auto& dlambda = w.implicit.d_multipliers;
-    auto& force = w.implicit.d_forces;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      std::array<R, 6> of_body;
-      for (std::size_t k = 0; k < 6; ++k) of_body[k] = value_of(w.forces[6 * b + k]);
-      accelerate(b, of_body.data(), &a[6 * b]);
-    }
-    for (const std::size_t row : kept_) {
-      const T wanted = wanted_acceleration(row, w);
-      lambda[row] = -value_of(wanted);
-      dlambda[row] = -wanted.derivatives();
-    }
-    constrain(w, w.implicit.rows, lambda.data(), a.data(), w.kept);
-    for (std::size_t i = 0; i < force.size(); ++i) force[i] = w.forces[i].derivatives();
-    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<T, 6>& columns = second ? w.rows[row].second : w.rows[row].first;
-      for (std::size_t k = 0; k < 6; ++k) {
-        force[6 * body + k] -= lambda[row] * columns[k].derivatives();
-        dlambda[row] += a[6 * body + k] * columns[k].derivatives();
-      }
-    });
-    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &force[6 * b], &da[6 * b]);
-    constrain(w, w.implicit.rows, dlambda.data(), da.data(), w.implicit.d_kept);
-    for (std::size_t i = 0; i < a.size(); ++i) w.accelerations[i] = T(a[i], da[i]);
-    for (const std::size_t row : kept_) w.multipliers[row] = T(lambda[row], dlambda[row]);
   }
 
   /// M⁻¹ of a body: accelerations (r̈, ω̇′) that a force (f, n′) gives it. V: R, a number with derivatives, or
   /// derivatives.
   template <class V>
   void accelerate(std::size_t body, const V* force, V* acceleration) const {
-    const R inverse_mass = 1 / bodies_[body].mass;
+    const R& inverse_mass = inverse_mass_[body];
     const Matrix3<R>& j = inverse_inertia_[body];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
@@ -388,35 +387,46 @@ class SpatialSystem {
     std::size_t first;
     std::size_t second;
   };
-  /// Two rows that hold the same body, and where their product stands in the Schur complement.
-  struct Pair {
-    std::size_t row;
-    std::size_t column;
-    std::size_t in_row;
-    std::size_t in_column;
+  /// Rows that are kept of two constraints that hold the same body, by their numbers among all that are kept: where
+  /// their products stand in the Schur complement.
+  struct Block {
+    std::size_t first_row, end_row;
+    std::size_t first_column, end_column;
     bool row_second;
     bool column_second;
   };
 
   void find_structure() {
-    pairs_.clear();
-    envelope_.clear();
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      std::size_t lowest = i;
-      for (std::size_t k = 0; k <= i; ++k) {
-        const Sides& a = sides_[kept_[i]];
-        const Sides& b = sides_[kept_[k]];
+    blocks_.clear();
+    envelope_.resize(kept_.size());
+    // Where the rows of each constraint begin among those that are kept.
+    std::vector<std::size_t> first;
+    for (const std::size_t row : first_row_)
+      first.push_back(static_cast<std::size_t>(std::lower_bound(kept_.begin(), kept_.end(), row) - kept_.begin()));
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      for (std::size_t i = first[c]; i < first[c + 1]; ++i) envelope_[i] = first[c];
+      for (std::size_t d = 0; d <= c; ++d) {
+        if (first[c] == first[c + 1] || first[d] == first[d + 1]) continue;
+        const Sides& a = sides_[first_row_[c]];
+        const Sides& b = sides_[first_row_[d]];
         for (const bool a_second : {false, true}) {
           for (const bool b_second : {false, true}) {
             const std::size_t body = a_second ? a.second : a.first;
             if (body == ground_body || body != (b_second ? b.second : b.first)) continue;
-            pairs_.push_back({kept_[i], kept_[k], i, k, a_second, b_second});
-            lowest = std::min(lowest, k);
+            blocks_.push_back({first[c], first[c + 1], first[d], first[d + 1], a_second, b_second});
+            for (std::size_t i = first[c]; i < first[c + 1]; ++i) envelope_[i] = std::min(envelope_[i], first[d]);
           }
         }
       }
-      envelope_.push_back(lowest);
     }
+  }
+
+  /// J′ω′, of a matrix without derivatives.
+  template <class T>
+  static Vector3<T> weighted_spin(const Matrix3<R>& j, const Vector3<T>& spin) {
+    Vector3<T> result;
+    for (Eigen::Index i = 0; i < 3; ++i) result(i) = T(j(i, 0) * spin(0) + j(i, 1) * spin(1) + j(i, 2) * spin(2));
+    return result;
   }
 
   template <class T>
@@ -434,26 +444,67 @@ class SpatialSystem {
     }
   }
 
-  static const std::vector<SpatialRow<R>>& values_of_rows(const SpatialWorkspace<R>& w) { return w.rows; }
-  template <class T>
-  static const std::vector<SpatialRow<R>>& values_of_rows(const SpatialWorkspace<T>& w) {
-    return w.implicit.rows;
+  static bool has_to_do(std::size_t body, std::size_t other) { return body == every_body || body == other; }
+  static bool has_to_do(std::size_t body, const Sides& sides) {
+    return has_to_do(body, sides.first) || has_to_do(body, sides.second);
   }
 
-  /// From −wanted in lambda and M⁻¹g in a to λ and accelerations. V: R, or its derivatives.
-  template <class W, class V>
-  void constrain(const W& w, const std::vector<SpatialRow<R>>& rows, V* lambda, V* a, std::vector<V>& kept) const {
+  /// Weight, constant loads and gyroscopic moment.
+  template <class T>
+  void apply_to_body(std::size_t b, SpatialWorkspace<T>& w) const {
+    const SpatialBody<R>& body = bodies_[b];
+    const SpatialFrame<T>& at = w.frames[b];
+    const Vector3<T> gyroscopic = cross(at.body_spin, weighted_spin(body.inertia, at.body_spin));
+    const Vector3<T> moment =
+        is_zero(body.moment) ? zero_vector<T>() : transposed_product<T>(at.rotation, body.moment.template cast<T>());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      w.forces[6 * b + k] = T(body.mass * gravity_(i) + body.load(i));
+      w.forces[6 * b + 3 + k] = T(moment(i) - gyroscopic(i));
+    }
+  }
+
+  /// d(g − Φ_vᵀλ − M a) = 0 and d(Φ_v a − wanted) = 0 with a and λ held give the right-hand sides of da and dλ.
+  template <class T>
+  void solve(std::size_t body, SpatialWorkspace<T>& w) const {
+    const SpatialWorkspace<R>& at = w.implicit.at;
+    auto& da = w.implicit.d_accelerations;
+    auto& dlambda = w.implicit.d_multipliers;
+    auto& force = w.implicit.d_forces;
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = w.forces[i].derivatives();
+    for (const std::size_t row : kept_) {
+      if (has_to_do(body, sides_[row])) {
+        dlambda[row] = -wanted_acceleration(row, w).derivatives();
+      } else {
+        dlambda[row].setZero();
+      }
+    }
+    for_each_kept_side([&](std::size_t row, std::size_t b, bool second) {
+      if (!has_to_do(body, sides_[row])) return;
+      const std::array<T, 6>& columns = second ? w.rows[row].second : w.rows[row].first;
+      for (std::size_t k = 0; k < 6; ++k) {
+        force[6 * b + k] -= at.multipliers[row] * columns[k].derivatives();
+        dlambda[row] += at.accelerations[6 * b + k] * columns[k].derivatives();
+      }
+    });
+    for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &force[6 * b], &da[6 * b]);
+    constrain(at, dlambda.data(), da.data(), w.implicit.d_kept);
+    for (std::size_t i = 0; i < da.size(); ++i) w.accelerations[i] = T(at.accelerations[i], da[i]);
+    for (const std::size_t row : kept_) w.multipliers[row] = T(at.multipliers[row], dlambda[row]);
+  }
+
+  /// From −wanted in lambda and M⁻¹g in a to λ and accelerations, or, with their derivatives, to those. V: R, or its
+  /// derivatives.
+  template <class V>
+  void constrain(const SpatialWorkspace<R>& w, V* lambda, V* a, std::vector<V>& kept) const {
     for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<R, 6>& columns = second ? rows[row].second : rows[row].first;
+      const std::array<R, 6>& columns = second ? w.rows[row].second : w.rows[row].first;
       for (std::size_t k = 0; k < 6; ++k) lambda[row] += columns[k] * a[6 * body + k];
     });
     for (std::size_t k = 0; k < kept_.size(); ++k) kept[k] = lambda[kept_[k]];
     w.schur.solve(kept.data());
     for (std::size_t k = 0; k < kept_.size(); ++k) lambda[kept_[k]] = kept[k];
-    for_each_kept_side([&](std::size_t row, std::size_t body, bool second) {
-      const std::array<R, 6>& by = w.weighted[2 * row + (second ? 1 : 0)];
-      for (std::size_t k = 0; k < 6; ++k) a[6 * body + k] -= by[k] * lambda[row];
-    });
+    subtract_constraint_forces(w, lambda, a);
   }
 
   std::vector<SpatialBody<R>> bodies_;
@@ -463,11 +514,12 @@ class SpatialSystem {
   std::vector<Vector3<R>> joint_points_;  // of each constraint, fixed to its second body
   Vector3<R> gravity_;
   Baumgarte<R> stabilisation_;
+  std::vector<R> inverse_mass_;
   std::vector<Matrix3<R>> inverse_inertia_;
   std::vector<std::size_t> first_row_;
   std::vector<Sides> sides_;
   std::vector<std::size_t> left_out_, kept_;
-  std::vector<Pair> pairs_;
+  std::vector<Block> blocks_;
   std::vector<std::size_t> envelope_;
 };
 
