@@ -303,7 +303,8 @@ assert {(t["component"], t["states"]): t["verdict"] for t in report.terms}[("rad
 assert "Term by term" in str(report)
 steady = lubjoint.verify(differences("steady"), steady=True, **finite_half)
 assert steady and steady["domain"] and steady["states"] == 40, steady
-assert lubjoint.verify(differences("right"), at_most=12, **finite_half)["states"] == 12
+few = lubjoint.verify(differences("right"), at_most=12, **finite_half)
+assert few and few["states"] + few["left_out"] == 12, few  # some of them on the half film's jump
 assert len(lubjoint.states("polar", law="finite_reynolds")["squeeze_rate"]) == 120
 film = lubjoint.verify(differences("full"), **finite_half)
 assert film["other"] == "finite_full" and film["other_films"] == ["finite_full"], film
@@ -349,6 +350,7 @@ for scene, given in (("journal.toml", {"duration": 0.2, "law": "long_half", "aft
         assert (numpy.isnan(run[name]) == [not text for text in texts]).all(), (scene, name)
     assert run.summary.pop("wall_s") >= 0 and summary.pop("wall_s") >= 0
     assert run.summary == summary and run.finished == (summary["status"] == "finished"), scene
+warnings.simplefilter("ignore")  # they were looked at above
 assert numpy.isfinite(lubjoint.simulate(scenes / "journal.toml", duration=0.01).values_by_column).all()
 journal = (scenes / "journal.toml").read_text()
 again = lubjoint.simulate(text=journal, duration=0.01)
@@ -365,7 +367,7 @@ for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"te
                      ("plane", {"scene": scenes / "space" / "top.toml", "after": 0.1}),
                      ("no effect", {"scene": scenes / "slider-crank-ideal.toml", "law": "short_half"}),
                      ("one of scene and text", {}), ("NUL", {"text": "duration = 1\0"}),
-                     ("outside", {"text": journal.replace("position = [0.0, 0.0]", "position = [1.0, 0.0]")})):
+                     ("eccentricity ratio 5000", {"text": journal.replace("position = [0.0, 0.0]", "position = [1.0, 0.0]")})):
     try:
         lubjoint.simulate(**wrong)
         raise AssertionError(f"{wrong} must be refused")
