@@ -357,6 +357,9 @@ again = lubjoint.simulate(text=journal, duration=0.01)
 assert (again["bearing.fx"] == lubjoint.simulate(scenes / "journal.toml", duration=0.01)["bearing.fx"]).all()
 other = lubjoint.simulate(text=journal.replace("viscosity = 0.4", "viscosity = 0.5"), duration=0.01)
 assert (again["bearing.fx"] != other["bearing.fx"]).any() and "bearing.torque_journal" not in other
+limited = lubjoint.simulate(text=journal.replace("[integrator]", "[integrator]\nmax_steps = 60"))
+assert not limited.finished and limited.summary["status"] == "stopped", limited
+assert "60 steps" in limited.summary["message"] and limited.t[-1] == limited.summary["t_end"] < 1, limited
 for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"text": "duration = -1"}),
                      ("film", {"text": journal.replace("pinkus_sternlicht", "pinkus")}),
                      ("short_half", {"scene": scenes / "journal.toml", "law": "short"}),
