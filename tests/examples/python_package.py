@@ -20,7 +20,8 @@ import lubjoint
 from lubjoint import _film, _library, _oracle, _rest, _simulate, _verify
 
 sys.path.insert(0, sys.argv[1])
-import pinkus_sternlicht  # noqa: E402  the example beside this file
+import capone  # noqa: E402  examples beside this file
+import pinkus_sternlicht  # noqa: E402
 
 
 def force(wrong):
@@ -273,6 +274,13 @@ assert lubjoint.verify(lambda **s: short_full(**{**s, "omega": abs(s["omega"])})
 nearly = lubjoint.verify(lambda **s: [x * (1 + 1e-7) for x in short_full(**s)], "short_full", "polar", tolerance=1e-6)
 assert nearly and nearly["accepted"], nearly
 assert len(lubjoint.states("cartesian", at_most=12)["ex"]) == 12
+
+# Without dimensions, in the program's own unit, S omega/4; and a mistake in it.
+own_unit = {"law": "short_dynamic", "quantities": "dimensionless", "unit": 0.25, "vectorized": False, "random": 100}
+assert lubjoint.verify(lambda **s: capone.force(*s.values(), 2), **own_unit)
+report = lubjoint.verify(lambda **s: capone.force(*s.values(), 1), **own_unit)
+assert not report and report.suspects[0]["mistakes"] == ["time_over_mean_spin"], report
+
 
 # Programs for the film of the bearing's real length: one by differences, which shares nothing with the judge.
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]).parent / "programs"))
