@@ -126,7 +126,7 @@ TEST_CASE("places and weights of the rules are those of GSL's tables of more tha
       double x = 0, w = 0;
       gsl_integration_glfixed_point(-1, 1, i, &x, &w, table.get());
       CHECK(rule.nodes()[i] == x);
-      CHECK(std::abs(rule.weights()[i] - w) <= unit * w);  // one unit in the last place
+      CHECK(std::abs(rule.weights()[i] - w) <= 3 * unit * w);  // 1024 steps of a recurrence in long double: at most 2.2
     }
   }
 }

@@ -50,7 +50,11 @@ GaussLegendreRule::GaussLegendreRule(std::size_t points) {
   for (std::size_t k = 0; k < zeros.size(); ++k) {
     const Extended x = zeros[k];
     const Extended slope = boost::math::legendre_p_prime(n, x);
-    const double weight = static_cast<double>(2 / ((1 - x) * (1 + x) * slope * slope));
+    // Next to the ends 1 − x² feels the rounding of x: by how much x is off, and what that does to (1 − x²) P'².
+    const Extended off = boost::math::legendre_p(n, x) / slope;
+    const Extended one_minus_square = (1 - x) * (1 + x);
+    const Extended weighed = (one_minus_square - 2 * x * off) * slope * slope;
+    const double weight = static_cast<double>(2 / weighed);
     nodes_[first + k] = static_cast<double>(x);
     nodes_[points - 1 - first - k] = -static_cast<double>(x);
     weights_[first + k] = weights_[points - 1 - first - k] = weight;

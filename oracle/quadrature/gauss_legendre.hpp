@@ -13,7 +13,7 @@ namespace lubjoint::oracle {
 /// Nodes and weights on [−1, 1]; exact for polynomials up to degree 2n − 1.
 class GaussLegendreRule {
  public:
-  /// The zeros of the Legendre polynomial, correctly rounded, and 2/((1 − x²) P'²) to one unit in the last place.
+  /// The zeros of the Legendre polynomial, correctly rounded, and 2/((1 − x²) P'²) to three units roundoff.
   /// @param points  1 to 1024
   /// @throws std::invalid_argument for any other number
   explicit GaussLegendreRule(std::size_t points);
