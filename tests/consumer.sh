@@ -33,7 +33,8 @@ done
 
 # No GPL library (GSL, GiNaC), and nothing else that the README does not name, is behind lib and what Python loads.
 for file in "$place/build/force_law" "$place/build/array_forces" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so" \
-  "$build/oracle/verify/liblubjoint_verify_c.so" "$build/oracle/c/liblubjoint_oracle_c.so"; do
+  "$build/oracle/verify/liblubjoint_verify_c.so" "$build/oracle/c/liblubjoint_oracle_c.so" \
+  "$build/oracle/c/liblubjoint_simulate_c.so"; do
   [ -f "$file" ] || fail "$file is not there"
   needed=$(objdump -p "$file" | sed -n 's/^ *NEEDED *//p' |
     grep -vE '^(lib(c|m|gcc_s|stdc\+\+|tomlplusplus|fmt|lubjoint_c|asan|ubsan)\.so|ld-linux)' || true)

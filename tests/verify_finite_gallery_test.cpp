@@ -53,52 +53,47 @@ std::set<std::string_view> first_names(const FiniteVerification& result) {
   return names;
 }
 
+/// Every mistake that applies is named first, and beside it only what has the same force.
+void check_every_mistake(const FiniteClaim& claim, Quantities quantities, std::size_t step) {
+  // By the same force: half of everything; and two places of a factor two in the axial term.
+  const std::set<std::string_view> halves{"half_bearing_not_doubled", "six_for_twelve"};
+  const std::set<std::string_view> longer{"length_over_radius", "one_end_closed"};
+  const std::vector<State> states = states_for(quantities, step);
+  std::size_t tried = 0;
+  for (const FiniteMistake& each : finite_gallery()) {
+    if (!each.applies(claim, quantities)) continue;
+    INFO(name_of(quantities) << ", " << claim.words() << ", " << each.name);
+    const auto result =
+        verify_finite_film(claim, quantities, states, answers_with(claim, quantities, states, {&each}), 0, 2);
+    CHECK(result.verdict == Verdict::disagrees);
+    REQUIRE(!result.suspicions.empty());
+    CHECK(result.suspicions.front().share == 1);
+    const std::set<std::string_view> names = first_names(result);
+    CHECK(names.contains(each.name));
+    if (halves.contains(each.name)) {
+      CHECK(names == halves);
+    } else if (longer.contains(each.name)) {
+      CHECK(names == longer);
+    } else {
+      CHECK(names == std::set{each.name});
+    }
+    ++tried;
+  }
+  CHECK(tried > 20);
+}
+
 }  // namespace
 
 TEST_CASE(
     "verify, finite films: every mistake of the gallery is named, and only what can't be told from it beside it") {
-  // By the same force: half of everything; and two places of a factor two in the axial term.
-  const std::set<std::string_view> halves{"half_bearing_not_doubled", "six_for_twelve"};
-  const std::set<std::string_view> longer{"length_over_radius", "one_end_closed"};
-  const std::pair<Quantities, FiniteFilm> cases[] = {{Quantities::cartesian, FiniteFilm::finite_full},
-                                                     {Quantities::cartesian, FiniteFilm::finite_half},
-                                                     {Quantities::cartesian, FiniteFilm::finite_dynamic},
-                                                     {Quantities::polar, FiniteFilm::finite_half}};
-  for (const auto& [quantities, film] : cases) {
-    const FiniteClaim claim{film};
-    const std::vector<State> states = states_for(quantities, 11);
-    for (const FiniteMistake& each : finite_gallery()) {
-      if (!each.applies(claim, quantities)) continue;
-      INFO(name_of(quantities) << ", " << claim.words() << ", " << each.name);
-      const auto result =
-          verify_finite_film(claim, quantities, states, answers_with(claim, quantities, states, {&each}), 0, 2);
-      CHECK(result.verdict == Verdict::disagrees);
-      REQUIRE(!result.suspicions.empty());
-      CHECK(result.suspicions.front().share == 1);
-      const std::set<std::string_view> names = first_names(result);
-      CHECK(names.contains(each.name));
-      if (halves.contains(each.name)) {
-        CHECK(names == halves);
-      } else if (longer.contains(each.name)) {
-        CHECK(names == longer);
-      } else {
-        CHECK(names == std::set{each.name});
-      }
-    }
-  }
+  check_every_mistake({FiniteFilm::finite_full}, Quantities::cartesian, 11);
+  check_every_mistake({FiniteFilm::finite_half}, Quantities::cartesian, 11);
+  check_every_mistake({FiniteFilm::finite_half}, Quantities::polar, 11);
+  check_every_mistake({FiniteFilm::finite_dynamic}, Quantities::cartesian, 11);
 }
 
-TEST_CASE("verify, finite films: mistakes of a film that ruptures by Swift and Stieber's condition are named") {
-  const FiniteClaim claim{FiniteFilm::finite_reynolds};
-  const std::vector<State> states = states_for(Quantities::cartesian, 13);
-  for (const std::string_view name : {"full_film_clipped", "squeeze_left_out", "squeeze_rate_halved",
-                                      "length_over_radius", "diameter_for_radius", "steady_only"}) {
-    INFO(name);
-    const auto result = verify_finite_film(claim, Quantities::cartesian, states,
-                                           answers_with(claim, Quantities::cartesian, states, {&mistake(name)}), 0, 2);
-    REQUIRE(!result.suspicions.empty());
-    CHECK(result.suspicions.front().mistakes == FiniteMistakes{&mistake(name)});
-  }
+TEST_CASE("verify, finite films: every mistake of a film that ruptures by Swift and Stieber's condition is named") {
+  check_every_mistake({FiniteFilm::finite_reynolds}, Quantities::cartesian, 13);
 }
 
 TEST_CASE("verify, finite films: two mistakes together are named, and a law in the film's place") {
@@ -121,7 +116,7 @@ TEST_CASE("verify, finite films: two mistakes together are named, and a law in t
   }
   const auto law = verify_finite_film(claim, Quantities::cartesian, states, short_half, 0, 2);
   CHECK(law.verdict == Verdict::disagrees);
-  CHECK(law.law == "short_half");
+  CHECK(law.laws == std::vector<std::string>{"short_half"});
   CHECK_THAT(text_report(law), Contains("The answers are those of the law short_half, not of the film"));
 }
 

@@ -36,6 +36,14 @@ Said said(const std::string& arguments) {
   return result;
 }
 
+/// The mistake or the set of them that a report names first; empty if it names none.
+std::string first_named(const std::string& report) {
+  const std::size_t list = report.find("\nLikely mistakes");
+  if (list == std::string::npos) return {};
+  const std::size_t share = report.find("%  ", report.find('\n', list + 1));
+  return report.substr(share + 3, report.find('\n', share) - share - 3);
+}
+
 /// What the first words of a report and its exit status must be.
 struct Verdict {
   const char* begin;
@@ -61,6 +69,7 @@ void check_programs(const std::string& name, std::size_t at_least) {
     const Verdict verdict = verdict_of(row.at("verdict"));
     CHECK_THAT(report.text, Catch::StartsWith(verdict.begin));
     CHECK(report.status == verdict.status);
+    if (row.contains("first")) CHECK(first_named(report.text) == row.at("first"));
     for (const std::string& words : parts(row.at("says"))) CHECK_THAT(report.text, Catch::Contains(words));
     for (const std::string& words : parts(row.at("never"))) CHECK_THAT(report.text, !Catch::Contains(words));
     CHECK_THAT(report.text, Catch::Contains("\nNext: "));
@@ -88,6 +97,10 @@ TEST_CASE("verify: programs of torques, power and side flow are named or located
 }
 
 TEST_CASE("verify: programs of dry contact are named, by law and by mistake") { check_programs("contact", 16); }
+
+TEST_CASE("verify: a program of each quantity agrees, and six mistakes or more in each are named first") {
+  check_programs("quantities", 66);
+}
 
 TEST_CASE("verify: auto finds the law of numerical, steady and mistaken programs") {
   const std::string folder = LUBJOINT_SOURCE_DIR "/tests/programs/";

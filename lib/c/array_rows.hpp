@@ -1,20 +1,19 @@
 /// What the functions of the C interface share. Each has a file of its own: together they are more than GCC inlines.
 #pragma once
 
-#include <cerrno>
 #include <cmath>
-#include <new>
 #include <stdexcept>
 #include <string>
 
 #include "film_tables.hpp"
+#include "guarded.hpp"
 #include "lubjoint.h"
 #include "lubjoint/film/batch.hpp"
 
 namespace lubjoint::c {
 
-/// Keeps the text for lubjoint_message.
-void say(const char* text) noexcept;
+/// Of this thread, for lubjoint_message.
+LastMessage& last_message() noexcept;
 
 inline double at(const lubjoint_in& array, std::size_t i) {
   return *reinterpret_cast<const double*>(reinterpret_cast<const char*>(array.data) +
@@ -24,11 +23,6 @@ inline double at(const lubjoint_in& array, std::size_t i) {
 inline void put(const lubjoint_out& array, std::size_t i, double value) {
   *reinterpret_cast<double*>(reinterpret_cast<char*>(array.data) + static_cast<std::ptrdiff_t>(i) * array.stride) =
       value;
-}
-
-template <class Pointer>
-void require(const char* name, const Pointer& pointer) {
-  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
 }
 
 inline void require(const lubjoint_motion& m) {
@@ -56,28 +50,10 @@ void for_rows(std::size_t n, lubjoint_out first, lubjoint_out second, const Row&
   }
 }
 
-/// Turns exceptions into error numbers.
+/// As guarded, with this library's message.
 template <class Work>
 int guarded(const Work& work) noexcept {
-  try {
-    work();
-    return 0;
-  } catch (const FilmDomainError& error) {
-    say(error.what());
-    return EDOM;
-  } catch (const ForceRowError& error) {
-    say(error.what());
-    return ERANGE;
-  } catch (const NoTableError& error) {
-    say(error.what());
-    return ENOENT;
-  } catch (const std::bad_alloc&) {
-    say("no memory");
-    return ENOMEM;
-  } catch (const std::exception& error) {
-    say(error.what());
-    return EINVAL;
-  }
+  return guarded(last_message(), work);
 }
 
 inline JournalMotion<double> motion_at(const lubjoint_motion& m, std::size_t i) {

@@ -2,19 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string_view>
 #include <variant>
 
+#include "guarded.hpp"
 #include "lubjoint/film/compiled_laws.hpp"
 
 namespace lubjoint::c {
-
-/// There is no table for the bearing's L/D yet: who calls is to give one.
-class NoTableError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// A law with its table, and the table's statement.
 struct FilmTable {

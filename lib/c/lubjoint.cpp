@@ -1,21 +1,14 @@
 #include "lubjoint.h"
 
-#include <array>
-
 #include "array_rows.hpp"
 #include "lubjoint/version.hpp"
 
-namespace {
-thread_local std::array<char, 512> message{};
+lubjoint::c::LastMessage& lubjoint::c::last_message() noexcept {
+  thread_local LastMessage message;
+  return message;
 }
 
-void lubjoint::c::say(const char* text) noexcept {
-  std::size_t i = 0;
-  for (; text[i] != '\0' && i + 1 < message.size(); ++i) message[i] = text[i];
-  message[i] = '\0';
-}
-
-const char* lubjoint_message(void) { return message.data(); }
+const char* lubjoint_message(void) { return lubjoint::c::last_message().text(); }
 
 const char* lubjoint_version(void) { return LUBJOINT_VERSION; }
 

@@ -136,6 +136,16 @@ LUBJOINT_API int lubjoint_polar_force(const char* law, const lubjoint_bearing* b
 LUBJOINT_API int lubjoint_journal_force(const char* law, const lubjoint_bearing* bearing, size_t n,
                                         const lubjoint_motion* motion, lubjoint_out fx, lubjoint_out fy);
 
+/* The same two for arrays without gaps, each of n numbers: from a language in which making the structures takes longer
+ * than a thousand forces. */
+LUBJOINT_API int lubjoint_polar_force_gapless(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                              const double* eccentricity_ratio, const double* slip_rate,
+                                              const double* squeeze_rate, double* radial, double* tangential);
+LUBJOINT_API int lubjoint_journal_force_gapless(const char* law, const lubjoint_bearing* bearing, size_t n,
+                                                const double* ex, const double* ey, const double* vx, const double* vy,
+                                                const double* omega_bearing, const double* omega_journal, double* fx,
+                                                double* fy);
+
 /* Force on the journal and its derivatives, to be written. */
 typedef struct lubjoint_jacobian {
   lubjoint_out fx, fy;         /* [N] */

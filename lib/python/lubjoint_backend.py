@@ -1,4 +1,4 @@
-"""Build backend: setuptools, with the three shared libraries built by CMake beforehand, the golden data, and the tables of films that ship.
+"""Build backend: setuptools, with the shared libraries built by CMake beforehand, the golden data, and the tables of films that ship.
 
 LUBJOINT_BUILT names a folder in which CMake has built them already.
 """
@@ -19,7 +19,8 @@ _package = pathlib.Path(__file__).resolve().parent / "lubjoint"
 _header = (_source / "lib/include/lubjoint/version.hpp").read_text()
 _number = r"^#define LUBJOINT_VERSION_{} (\d+)$"
 version = ".".join(re.search(_number.format(part), _header, re.MULTILINE)[1] for part in ("MAJOR", "MINOR", "PATCH"))
-_targets = {"lubjoint_c": "lib", "lubjoint_verify_c": "oracle/verify", "lubjoint_oracle_c": "oracle/c"}  # and where CMake leaves them
+_targets = {"lubjoint_c": "lib", "lubjoint_verify_c": "oracle/verify", "lubjoint_oracle_c": "oracle/c",
+            "lubjoint_simulate_c": "oracle/c"}  # and where CMake leaves them
 
 _data = {"golden": "*.csv", "films": "*.txt"}
 

@@ -1,84 +1,58 @@
 #include "oracle/c/lubjoint_oracle.h"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <new>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "lib/c/guarded.hpp"
 #include "lubjoint/film/compiled_film_file.hpp"
 #include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/laws/film_store.hpp"
+#include "oracle/reynolds/film_integral.hpp"
+#include "oracle/reynolds/film_onset.hpp"
 #include "oracle/reynolds/finite_length.hpp"
+#include "oracle/reynolds/solved_film.hpp"
 
 namespace {
 
 using namespace lubjoint;
 
-thread_local std::array<char, 512> message{};
+using c::copied;
+using c::require;
 
-void say(const char* text) noexcept {
-  std::strncpy(message.data(), text, message.size() - 1);
-  message.back() = '\0';
-}
-
-/// A force that no double holds.
-struct ForceRange : std::range_error {
-  using std::range_error::range_error;
-};
+thread_local c::LastMessage message;
 
 template <class Work>
 int guarded(const Work& work) noexcept {
-  try {
-    work();
-    return 0;
-  } catch (const FilmDomainError& error) {
-    say(error.what());
-    return EDOM;
-  } catch (const ForceRange& error) {
-    say(error.what());
-    return ERANGE;
-  } catch (const std::bad_alloc&) {
-    say("no memory");
-    return ENOMEM;
-  } catch (const std::exception& error) {
-    say(error.what());
-    return EINVAL;
+  return c::guarded(message, work);
+}
+
+/// A number with the estimated bound of its error.
+struct Solved {
+  double radial, tangential, radial_error, tangential_error;
+};
+
+/// What is asked of the error over |F|; each kind of film has an end of its own.
+double tolerance_of(bool one_dimensional, double given) {
+  if (given == 0) {
+    return one_dimensional ? oracle::FilmQuadratureOptions().relative_tolerance
+                           : oracle::FiniteLengthOptions().relative_tolerance;
   }
-}
-
-template <class Pointer>
-void require(const char* name, const Pointer& pointer) {
-  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
-}
-
-char* copied(const std::string& text) {
-  char* copy = static_cast<char*>(std::malloc(text.size() + 1));
-  if (copy == nullptr) throw std::bad_alloc();
-  std::memcpy(copy, text.c_str(), text.size() + 1);
-  return copy;
-}
-
-oracle::FilmOnset onset_of(oracle::FiniteFilm film, const char* given) {
-  if (given == nullptr) return oracle::FilmOnset::free;
-  if (film != oracle::FiniteFilm::finite_reynolds) {
-    throw std::invalid_argument("onset has no effect on " + std::string(name_of(film)) +
-                                "; allowed with finite_reynolds alone");
-  }
-  const std::string name = given;
-  if (name == "free") return oracle::FilmOnset::free;
-  if (name == "maximum_film") return oracle::FilmOnset::maximum_film;
-  throw std::invalid_argument("onset is \"" + name + "\"; allowed are free, maximum_film");
+  const double least = one_dimensional ? 1e-15 : 1e-12;
+  if (given >= least && given <= 0.1) return given;
+  std::ostringstream words;
+  words << "tolerance is " << given << "; allowed is a number from " << least << " to 0.1";
+  throw std::invalid_argument(words.str());
 }
 
 }  // namespace
 
-const char* lubjoint_oracle_message(void) { return message.data(); }
+const char* lubjoint_oracle_message(void) { return message.text(); }
 
 int lubjoint_oracle_film(const char* law, double length_to_diameter, const char* shipped,
                          lubjoint_oracle_progress progress, char** text, char** notes) {
@@ -117,22 +91,28 @@ int lubjoint_oracle_force(const char* film, const double bearing[4], const char*
                                                    tangential,         radial_error, tangential_error};
       for (const double* array : arrays) require("an array", array);
     }
-    const oracle::FiniteFilm kind = oracle::finite_film_of(film);
-    oracle::FiniteLengthOptions options{tolerance, onset_of(kind, onset)};
-    if (!(tolerance >= 1e-12 && tolerance <= 0.1)) {
-      std::ostringstream given;
-      given << "tolerance is " << tolerance << "; allowed is a number from 1e-12 to 0.1";
-      throw std::invalid_argument(given.str());
-    }
+    oracle::require_solved_film(film, "film");
+    const bool one_dimensional = oracle::is_one_dimensional(film);
+    const oracle::FilmOnset begin =
+        oracle::film_onset_of(film, onset == nullptr ? std::nullopt : std::optional<std::string>(onset), "onset");
+    const double asked = tolerance_of(one_dimensional, tolerance);
     const Bearing<double> geometry(bearing[1], bearing[2], bearing[3]);
     const Lubricant<double> oil(bearing[0]);
+    const auto solved = [&](const PolarFilmState<double>& state) -> Solved {
+      if (one_dimensional) {
+        const auto force =
+            film_force_by_gauss_legendre(oracle::one_dimensional_film(film), geometry, oil, state, asked);
+        return {force.radial.value, force.tangential.value, force.radial.error, force.tangential.error};
+      }
+      const auto force = finite_length_force(oracle::finite_film_of(film), geometry, oil, state, {asked, begin});
+      return {force.radial, force.tangential, force.radial_error, force.tangential_error};
+    };
     for (std::size_t i = 0; i < n; ++i) {
       try {
-        const PolarFilmState<double> state(eccentricity_ratio[i], slip_rate[i], squeeze_rate[i]);
-        const oracle::FiniteLengthResult force = oracle::finite_length_force(kind, geometry, oil, state, options);
+        const Solved force = solved({eccentricity_ratio[i], slip_rate[i], squeeze_rate[i]});
         for (const double each : {force.radial, force.tangential, force.radial_error, force.tangential_error}) {
           if (!std::isfinite(each))
-            throw ForceRange("row " + std::to_string(i) + ": the force is beyond the range of double");
+            throw std::range_error("row " + std::to_string(i) + ": the force is beyond the range of double");
         }
         radial[i] = force.radial;
         tangential[i] = force.tangential;

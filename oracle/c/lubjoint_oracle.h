@@ -27,12 +27,13 @@ LUBJOINT_ORACLE_API int lubjoint_oracle_film(const char* law, double length_to_d
                                              lubjoint_oracle_progress progress, char** text, char** notes);
 LUBJOINT_ORACLE_API void lubjoint_oracle_free(char* text);
 
-/* Force of a film of finite length on the journal [N], radial and tangential, of n states (eccentricity ratio, slip rate
- * a and squeeze rate b [1/s]; arrays without gaps), by solving Reynolds' equation; no law is asked. bearing: viscosity,
- * length, radius, clearance. film: finite_full, finite_half, finite_dynamic or finite_reynolds. onset: of the last,
- * "free" or "maximum_film"; null: free. tolerance: of the error over |F|, 1e-12 to 0.1. radial_error, tangential_error:
- * estimated bounds [N], also where the tolerance is not met. EDOM: a row has no film; it is named, and those before it
- * are answered. */
+/* Force of a film on the journal [N], radial and tangential, of n states (eccentricity ratio, slip rate a and squeeze rate
+ * b [1/s]; arrays without gaps), without any force law. bearing: viscosity, length, radius, clearance. film: finite_full,
+ * finite_half, finite_dynamic or finite_reynolds, by solving Reynolds' equation; or short_full, short_half,
+ * short_dynamic, long_full, long_half, long_half_eq5 or long_dynamic, by integrating their pressure. onset: of
+ * finite_reynolds, "free" or "maximum_film"; null: free. tolerance: of the error over |F|, 1e-12 to 0.1 (integrals: from
+ * 1e-15); 0: 1e-3 (integrals: 1e-13). radial_error, tangential_error: estimated bounds [N], also where the tolerance is
+ * not met. EDOM: a row has no film; it is named, and those before it are answered. */
 LUBJOINT_ORACLE_API int lubjoint_oracle_force(const char* film, const double bearing[4], const char* onset,
                                               double tolerance, size_t n, const double* eccentricity_ratio,
                                               const double* slip_rate, const double* squeeze_rate, double* radial,

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "lubjoint/version.hpp"
 #include "oracle/files/data_folder.hpp"
+#include "oracle/files/require.hpp"
 
 namespace lubjoint::cli {
 
@@ -46,12 +45,6 @@ inline std::string scenes_folder() { return reports::data_folder() / "scenes"; }
 /// Folder of the golden data that ship with it.
 inline std::string golden_folder() { return reports::data_folder() / "golden"; }
 
-/// A number that an option gave. @throws std::invalid_argument that names it, the value and what is allowed
-inline void require_option(const std::string& name, double given, bool allowed, const std::string& words) {
-  if (std::isfinite(given) && allowed) return;
-  std::ostringstream message;
-  message << name << " is " << given << "; allowed is " << words;
-  throw std::invalid_argument(message.str());
-}
+using reports::require_option;
 
 }  // namespace lubjoint::cli

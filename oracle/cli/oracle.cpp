@@ -11,37 +11,21 @@
 #include "oracle/laws/pinkus_sternlicht_report.hpp"
 #include "oracle/results/pressure_report.hpp"
 #include "oracle/reynolds/film_integral.hpp"
+#include "oracle/reynolds/film_onset.hpp"
 #include "oracle/reynolds/finite_length.hpp"
+#include "oracle/reynolds/solved_film.hpp"
 
 namespace lubjoint::cli {
 
 namespace {
 
-bool is_finite_film(const std::string& name) { return name.starts_with("finite_"); }
+bool is_finite_film(const std::string& name) { return !oracle::is_one_dimensional(name); }
 
 /// @throws std::invalid_argument that lists all films, of either kind
-void require_film(const std::string& name) {
-  std::string all;
-  for (const auto& entry : oracle::one_dimensional_films) {
-    if (entry.name == name) return;
-    all += std::string(entry.name) + ", ";
-  }
-  if (!is_finite_film(name)) {
-    throw std::invalid_argument("--film is \"" + name + "\"; allowed are " + all +
-                                "finite_full, finite_half, finite_dynamic, finite_reynolds");
-  }
-  oracle::finite_film_of(name);
-}
+void require_film(const std::string& name) { oracle::require_solved_film(name, "--film"); }
 
-/// @throws std::invalid_argument  no onset, or one for a film that has none to choose
 oracle::FilmOnset onset_of(const std::string& film, const std::optional<std::string>& given) {
-  if (given && film != "finite_reynolds") {
-    throw std::invalid_argument("--onset has no effect on " + film + "; allowed with finite_reynolds alone");
-  }
-  const std::string name = given.value_or("free");
-  if (name == "free") return oracle::FilmOnset::free;
-  if (name == "maximum_film") return oracle::FilmOnset::maximum_film;
-  throw std::invalid_argument("--onset is \"" + name + "\"; allowed are free, maximum_film");
+  return oracle::film_onset_of(film, given, "--onset");
 }
 
 /// @throws std::invalid_argument  no rule, or one for a film that is not integrated by it

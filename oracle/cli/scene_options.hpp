@@ -1,27 +1,18 @@
 /// The options that change a scene on the command line.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
-#include "lubjoint/film/compiled_laws.hpp"
-#include "lubjoint/ode/integrators.hpp"
-#include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/files/files.hpp"
-#include "oracle/results/late_extremes.hpp"
+#include "oracle/laws/scene_run.hpp"
 
 namespace lubjoint::cli {
 
-struct SceneOptions {
+struct SceneOptions : reports::SceneSettings {
   std::string file;
-  std::optional<std::string> law;
-  std::optional<std::string> integrator;
-  std::optional<double> rtol;
-  std::optional<double> duration;
 
   void add_file(CLI::App& command) { command.add_option("scene", file, "Scene file (TOML)")->required(); }
   void add_law(CLI::App& command) { command.add_option("--law", law, "Film law in place of the scene's"); }
@@ -41,39 +32,8 @@ struct SceneOptions {
     return scene;
   }
 
-  /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
-  void require() const {
-    if (law) require_name("--law", *law, named_film_laws);
-    if (integrator) require_name("--integrator", *integrator, integrator_names());
-    if (rtol) require_option("--rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
-    if (duration) require_option("--duration", *duration, *duration > 0, "a finite number of seconds above 0");
-  }
-
   /// Changes a scene, and gives compiled laws their tables. @throws std::invalid_argument
-  void change(Scene& scene) const {
-    if (law) {
-      const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
-      if (std::none_of(scene.joints.begin(), scene.joints.end(), has_film)) {
-        throw std::invalid_argument("--law has no effect on \"" + scene.name +
-                                    "\", which has no joint with a film; allowed without it");
-      }
-      for (SceneJoint& joint : scene.joints) {
-        if (joint.film == no_film) continue;
-        joint.film = *law;
-        with_film_law<NamedFilmLaws>(*law, [&]<class Law>() {
-          if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(joint.length / (2 * joint.journal_radius));
-        });
-      }
-    }
-    if (integrator) scene.integrator = *integrator;
-    if (rtol) scene.run.relative_tolerance = scene.run.absolute_tolerance = *rtol;
-    if (duration) {
-      scene.run.duration = *duration;
-      require_option("--duration", *duration, *duration / scene.run.output_interval <= 1e7,
-                     "at most ten million output intervals of the scene");
-    }
-    scene_films().provide(scene);
-  }
+  void change(Scene& scene) const { SceneSettings::change(scene, scene_films()); }
 };
 
 /// The options that ask for extremes of the later part of a run.
@@ -97,10 +57,7 @@ struct LateOptions {
   /// From when on extremes of the scene are wanted, if at all. @throws std::invalid_argument
   std::optional<double> start(const Scene& scene) const {
     if (last_revolution) return reports::start_of_last_revolution(scene);
-    if (after) {
-      require_option("--after", *after, *after >= 0 && *after < scene.run.duration,
-                     "a time from 0 to below the duration, " + reports::number(scene.run.duration) + " s");
-    }
+    if (after) reports::require_after(scene, *after, "--after");
     return after;
   }
 };

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/files/progress.hpp"
+#include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
 #include "oracle/verify/states/foreign_program.hpp"
@@ -264,27 +264,23 @@ verify::Answers answers_to(const VerifyOptions& o, verify::Quantities quantities
 /// A film of finite length: its states, its judge and its report are its own.
 int run_finite(const VerifyOptions& o) {
   for (const std::string& name : o.given) {
-    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--only", "--steady", "--shear"}) {
+    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--shear"}) {
       if (name == other) throw std::invalid_argument(name + " does nothing with --law " + o.law);
     }
   }
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
-  verify::FiniteClaim claim{oracle::finite_film_of(o.law)};
-  if (!o.onset.empty()) {
-    require_name("--onset", o.onset, std::array<std::string_view, 2>{"free", "maximum_film"});
-    if (claim.film != oracle::FiniteFilm::finite_reynolds) {
-      throw std::invalid_argument("--onset does nothing with --law " + o.law + "; allowed is it with finite_reynolds");
-    }
-    if (o.onset == "maximum_film") claim.onset = oracle::FilmOnset::maximum_film;
-  }
-  std::vector<verify::State> states = verify::finite_states(quantities);
+  const auto onset = o.onset.empty() ? std::nullopt : std::optional(o.onset);
+  const verify::FiniteClaim claim{oracle::finite_film_of(o.law), oracle::film_onset_of(o.law, onset, "--onset")};
+  const verify::Conjunction domain = domain_of(o, quantities);
+  std::vector<verify::State> states = verify::finite_states(quantities, domain);
   if (o.at_most) states = verify::covering_states(quantities, std::move(states), *o.at_most);
   const std::string csv = verify::states_csv(quantities, states);
   if (!o.states_out.empty()) return put_states(o, csv);
   try {
     verify::Answers answers = answers_to(o, quantities, csv, states.size());
-    const auto result = verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers),
-                                                   o.tolerance.value_or(0), reports::available_cores());
+    const auto result =
+        verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers), o.tolerance.value_or(0),
+                                   reports::available_cores(), verify::words(domain));
     return report(result, o.json);
   } catch (const verify::UnjudgedError& error) {
     return refuse(o, error);

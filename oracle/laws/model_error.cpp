@@ -8,10 +8,7 @@
 #include <stdexcept>
 
 #include "lubjoint/film/every_law.hpp"
-#include "lubjoint/joint/kinematics.hpp"
-#include "lubjoint/multibody/joint_element.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
-#include "lubjoint/scene/journal_scene.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
@@ -174,85 +171,6 @@ std::vector<LoadedState> loaded_states(const Bearing<double>& bearing, const Lub
   states.push_back(
       finite_equilibrium(oracle::FiniteFilm::finite_reynolds, FilmOnset::maximum_film, bearing, oil, load, spin_sum));
   return states;
-}
-
-namespace {
-
-/// Error of a joint's law at each of some films.
-VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<double>>& films) {
-  const Bearing<double> bearing(joint.length, joint.journal_radius, joint.clearance);
-  const Lubricant<double> oil(joint.viscosity);
-  const AnyFilm<double> law = make_film(joint.film, bearing, oil, joint.table.get());
-  const double shape = length_to_diameter(bearing);
-  const double scale = force_scale(BearingLimit::long_bearing, bearing, oil);
-  VisitedModelError result;
-  std::vector<double> errors;
-  for (const FilmState<double>& film : films) {
-    const double ratio = film.eccentricity.norm();
-    // A film at rest has no force to be wrong; beyond 0.99 the finite-length film is not resolved cheaply.
-    if (is_zero(film.velocity) || is_zero(film.eccentricity) || !(ratio <= 0.99)) continue;
-    const Vector2<double> force = scale * finite_force(oracle::FiniteFilm::finite_reynolds, shape, film, {1e-2}).ratio;
-    const Vector2<double> given = std::visit([&film](const auto& each) { return each.force(film); }, law);
-    const double error = (given - force).norm() / force.norm();
-    errors.push_back(error);
-    if (error > result.largest) {
-      result.largest = error;
-      result.eccentricity_ratio_of_largest = ratio;
-    }
-  }
-  result.states = errors.size();
-  if (!errors.empty()) result.median = median(errors);
-  return result;
-}
-
-/// The same at each of some motions of its journal.
-VisitedModelError error_along(const SceneJoint& joint, const std::vector<JournalMotion<double>>& motions) {
-  if (joint.film == no_film) return {};
-  std::vector<FilmState<double>> films;
-  for (const JournalMotion<double>& motion : motions) {
-    const Vector2<double> e = motion.eccentricity / joint.clearance;
-    if (!(one_minus_squared_norm(e.x(), e.y()) > 0)) continue;  // in contact
-    films.push_back(film_state(motion, joint.clearance));
-  }
-  return error_at(joint, films);
-}
-
-/// Some samples of a run, evenly spaced, the first left out.
-template <class Sample>
-std::vector<Sample> some_of(const std::vector<Sample>& samples, std::size_t states) {
-  std::vector<Sample> some;
-  if (samples.size() < 2) return some;
-  for (std::size_t i = 1; i <= states; ++i) some.push_back(samples[i * (samples.size() - 1) / states]);
-  return some;
-}
-
-}  // namespace
-
-VisitedModelError visited_model_error(const Scene& scene, const JournalTrajectory& run, std::size_t states) {
-  const double spin = journal_scene(scene).drive.mean_spin();
-  std::vector<FilmState<double>> films;
-  for (const JournalSample& sample : some_of(run.samples, states)) {
-    const auto& y = sample.state;
-    films.emplace_back(Vector2<double>(y[0], y[1]), Vector2<double>(y[2] + spin * y[1], y[3] - spin * y[0]));
-  }
-  return error_at(scene.joints.front(), films);
-}
-
-VisitedModelError visited_model_error(const Scene& scene, std::size_t joint, const MultibodyTrajectory& run,
-                                      std::size_t states) {
-  const SceneJoint& at = scene.joints[joint];
-  std::vector<JournalMotion<double>> motions;
-  for (const MultibodySample& sample : some_of(run.samples, states)) {
-    motions.push_back(joint_kinematics(motion_in(sample.state, at.bearing.body), at.bearing.point,
-                                       motion_in(sample.state, at.journal.body), at.journal.point)
-                          .motion);
-  }
-  return error_along(at, motions);
-}
-
-VisitedModelError visited_model_error(const SceneJoint& joint, const std::vector<JournalMotion<double>>& motions,
-                                      std::size_t states) {
-  return error_along(joint, some_of(motions, states));
 }
 
 }  // namespace lubjoint::reports

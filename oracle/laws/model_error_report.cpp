@@ -4,9 +4,9 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/laws/model_error.hpp"
+#include "oracle/laws/model_error_words.hpp"
 #include "oracle/plot/gnuplot.hpp"
 
 namespace lubjoint::reports {
@@ -48,20 +48,9 @@ std::string within_sentences(const std::vector<ModelErrorSummary>& summaries, or
   return text;
 }
 
-/// An error as it is read: a share in per cent, from ten on as a multiple.
-std::string error_words(double error) {
-  return error < 10 ? fmt::format("{:.{}f} %", 100 * error, error < 0.1 ? 1 : 0) : fmt::format("{:.0f} times", error);
-}
-
 const LoadedState* find_state(const std::vector<LoadedState>& loaded, std::string_view name) {
   const auto found = std::ranges::find_if(loaded, [name](const LoadedState& each) { return each.name == name; });
   return found == loaded.end() ? nullptr : &*found;
-}
-
-/// The law that has the film of the bearing's real length, if it can be compiled; with a blank behind it.
-std::string remedy(double shape) {
-  if (!(shape >= least_compiled_shape && shape <= largest_compiled_shape)) return {};
-  return fmt::format("The law {} is the film of the real length, compiled for this L/D. ", FiniteReynolds::name);
 }
 
 /// The law with the least median against the film that ruptures as oil does, and what that costs at the load.
@@ -103,34 +92,6 @@ std::string verdict(const Bearing<double>& bearing, const std::vector<ModelError
 }
 
 }  // namespace
-
-std::string model_warning(const SceneJoint& joint, const VisitedModelError& error) {
-  if (error.states == 0 || error.median <= 0.25) return {};
-  const double shape = joint.length / (2 * joint.journal_radius);
-  return fmt::format(
-      "warning: at the states that this run visits, law {} of joint \"{}\" is off the force of a film of the "
-      "bearing's real length, L/D = {:.2f}, by {} (median of {} states; largest {}, at eccentricity ratio {:.3f}). {}"
-      "lubjoint model-error says more.",
-      joint.film, joint.name, shape, error_words(error.median), error.states, error_words(error.largest),
-      error.eccentricity_ratio_of_largest, remedy(shape));
-}
-
-std::string model_warning(const std::vector<SceneJoint>& joints, const std::vector<VisitedModelError>& errors) {
-  std::size_t worst = 0;
-  std::size_t doubtful = 0;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (model_warning(joints[i], errors[i]).empty()) continue;
-    if (doubtful++ == 0 || errors[i].median > errors[worst].median) worst = i;
-  }
-  if (doubtful == 0) return {};
-  const double shape = joints[worst].length / (2 * joints[worst].journal_radius);
-  return fmt::format(
-      "warning: {} of the {} laws are more than 25 % off the force of a film of the bearing's real length, L/D = "
-      "{:.2f}, "
-      "at half of the states that their runs visit; the worst is {}, {} in the median. {}lubjoint model-error says "
-      "more.",
-      doubtful, joints.size(), shape, joints[worst].film, error_words(errors[worst].median), remedy(shape));
-}
 
 std::string model_error_table(const Bearing<double>& bearing, const std::vector<ModelErrorSummary>& summaries,
                               const std::vector<LoadedState>& loaded) {

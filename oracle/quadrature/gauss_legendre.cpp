@@ -1,26 +1,21 @@
 #include "oracle/quadrature/gauss_legendre.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 #include <algorithm>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <new>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "oracle/quadrature/gsl_call.hpp"
+#include "oracle/quadrature/quadrature_error.hpp"
 
 namespace lubjoint::oracle {
 
 namespace {
 
-bool held_to_full_precision(std::size_t points) {
-  constexpr std::array<std::size_t, 8> beyond_twenty = {32, 64, 96, 100, 128, 256, 512, 1024};
-  return (points >= 1 && points <= 20) || std::ranges::find(beyond_twenty, points) != beyond_twenty.end();
-}
+constexpr std::size_t most_points = 1024;
 
 struct Sum {
   double value = 0;
@@ -42,18 +37,27 @@ Sum weighted_sum(const GaussLegendreRule& rule, const Integrand& f, double from,
 }  // namespace
 
 GaussLegendreRule::GaussLegendreRule(std::size_t points) {
-  if (!held_to_full_precision(points)) {
+  if (points < 1 || points > most_points) {
     throw std::invalid_argument("points of the Gauss-Legendre rule is " + std::to_string(points) +
-                                "; allowed are 1 to 20, 32, 64, 96, 100, 128, 256, 512, 1024");
+                                "; allowed are 1 to " + std::to_string(most_points));
   }
-  disable_gsl_abort();
-  const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
-      gsl_integration_glfixed_table_alloc(points), &gsl_integration_glfixed_table_free);
-  if (!table) throw std::bad_alloc();
+  using Extended = long double;  // its rounding is lost in that of a double
+  const int n = static_cast<int>(points);
   nodes_.resize(points);
   weights_.resize(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    gsl_integration_glfixed_point(-1, 1, i, &nodes_[i], &weights_[i], table.get());
+  const std::vector<Extended> zeros = boost::math::legendre_p_zeros<Extended>(n);  // of ½n of them, from 0 on
+  const std::size_t first = points / 2;
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    const Extended x = zeros[k];
+    const Extended slope = boost::math::legendre_p_prime(n, x);
+    // Next to the ends 1 − x² feels the rounding of x: by how much x is off, and what that does to (1 − x²) P'².
+    const Extended off = boost::math::legendre_p(n, x) / slope;
+    const Extended one_minus_square = (1 - x) * (1 + x);
+    const Extended weighed = (one_minus_square - 2 * x * off) * slope * slope;
+    const double weight = static_cast<double>(2 / weighed);
+    nodes_[first + k] = static_cast<double>(x);
+    nodes_[points - 1 - first - k] = -static_cast<double>(x);
+    weights_[first + k] = weights_[points - 1 - first - k] = weight;
   }
 }
 
@@ -62,8 +66,11 @@ double GaussLegendreRule::integrate(const Integrand& f, double from, double to) 
 }
 
 const GaussLegendreRule& gauss_legendre_rung(std::size_t rung) {
-  static const std::vector<GaussLegendreRule> rules(gauss_legendre_ladder.begin(), gauss_legendre_ladder.end());
-  return rules.at(rung);
+  // The upper rungs take milliseconds to make, and are hardly ever climbed.
+  static std::array<std::once_flag, gauss_legendre_ladder.size()> made;
+  static std::array<std::optional<GaussLegendreRule>, gauss_legendre_ladder.size()> rules;
+  std::call_once(made.at(rung), [rung] { rules[rung].emplace(gauss_legendre_ladder[rung]); });
+  return *rules[rung];
 }
 
 Estimate gauss_legendre(const Integrand& f, double from, double to, const Tolerance& tolerance) {
@@ -77,11 +84,11 @@ Estimate gauss_legendre(const Integrand& f, double from, double to, const Tolera
     answer = {fine.value, difference + rounding};
     const double wanted = std::max({tolerance.absolute, tolerance.relative * std::abs(fine.value), rounding});
     if (difference <= wanted || !std::isfinite(fine.value)) {
-      return checked(GSL_SUCCESS, {"Gauss-Legendre", from, to, tolerance}, answer);
+      return require_finite({"Gauss-Legendre", from, to, tolerance}, answer);
     }
     coarse = fine;
   }
-  return checked(GSL_ETOL, {"Gauss-Legendre", from, to, tolerance}, answer);
+  fail_before_tolerance({"Gauss-Legendre", from, to, tolerance}, answer);
 }
 
 }  // namespace lubjoint::oracle

@@ -13,7 +13,8 @@ namespace lubjoint::oracle {
 /// Nodes and weights on [−1, 1]; exact for polynomials up to degree 2n − 1.
 class GaussLegendreRule {
  public:
-  /// @param points  1 to 20, 32, 64, 96, 100, 128, 256, 512 or 1024: GSL holds the others to fewer than 16 digits
+  /// The zeros of the Legendre polynomial, correctly rounded, and 2/((1 − x²) P'²) to three units roundoff.
+  /// @param points  1 to 1024
   /// @throws std::invalid_argument for any other number
   explicit GaussLegendreRule(std::size_t points);
 

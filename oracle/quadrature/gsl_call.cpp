@@ -11,14 +11,6 @@ void disable_gsl_abort() { [[maybe_unused]] static const auto previous = gsl_set
 
 namespace {
 
-[[noreturn]] void fail(int code, const Request& request, const std::string& reason) {
-  std::ostringstream message;
-  message.precision(17);
-  message << request.rule << " on [" << request.from << ", " << request.to << "] to relative tolerance "
-          << request.tolerance.relative << ", absolute " << request.tolerance.absolute << ": " << reason;
-  throw QuadratureError(code, message.str());
-}
-
 std::string number(double x) {
   std::ostringstream text;
   text.precision(17);
@@ -30,12 +22,9 @@ std::string number(double x) {
 
 Estimate checked(int status, const Request& request, const Estimate& answer) {
   if (status != GSL_SUCCESS && status != GSL_EROUND) {
-    fail(status, request,
-         std::string(gsl_strerror(status)) + "; the best value is " + number(answer.value) + " with error " +
-             number(answer.error));
+    fail(status, request, gsl_strerror(status) + best_value_words(answer));
   }
-  if (std::isfinite(answer.value) && std::isfinite(answer.error)) return answer;
-  fail(GSL_EDOM, request, "the integral is not finite");
+  return require_finite(request, answer);
 }
 
 GslFunction::GslFunction(const Integrand& function) : function_(function), view_{&GslFunction::call, this} {}

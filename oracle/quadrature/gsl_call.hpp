@@ -5,33 +5,11 @@
 
 #include <exception>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
-#include "oracle/quadrature/estimate.hpp"
 #include "oracle/quadrature/integrand.hpp"
+#include "oracle/quadrature/quadrature_error.hpp"
 
 namespace lubjoint::oracle {
-
-/// A quadrature that has no answer. The message says which rule, on which interval, to which tolerance, and why.
-class QuadratureError : public std::runtime_error {
- public:
-  QuadratureError(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
-
-  int code() const { return code_; }  ///< GSL's error code (gsl_errno.h)
-
- private:
-  int code_;
-};
-
-/// What a rule was asked; the context of its errors.
-struct Request {
-  std::string_view rule;
-  double from;
-  double to;
-  Tolerance tolerance;
-};
 
 /// Turns off GSL's default handler, which aborts the program; every status is checked instead. Once per process.
 void disable_gsl_abort();

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "oracle/quadrature/gsl_call.hpp"
+#include "oracle/quadrature/quadrature_error.hpp"
 #include "oracle/reynolds/film_edges.hpp"
 #include "oracle/reynolds/film_sums.hpp"
 #include "oracle/reynolds/pressure_slope.hpp"
@@ -51,15 +51,15 @@ struct ScaledState {
 };
 
 FilmPair force_integrals(const OneDimensionalFilmEntry& entry, const NarrowGap& gap, const FilmWindow& window,
-                         const FilmQuadratureOptions& options, double& factor) {
+                         const FilmRule& rule, double relative_tolerance, double& factor) {
   if (entry.pressure_by_ode) {
     factor = 6;
     const bool edges_are_zeros = entry.extent() == FilmExtent::dynamic;
-    return integrate_pressure_slope(gap, window, edges_are_zeros, options.rule, options.relative_tolerance);
+    return integrate_pressure_slope(gap, window, edges_are_zeros, rule, relative_tolerance);
   }
   const KnownPressure pressure(gap, entry);
   factor = pressure.factor();
-  return integrate_known_pressure(pressure, gap, window, options.rule, options.relative_tolerance);
+  return integrate_known_pressure(pressure, gap, window, rule, relative_tolerance);
 }
 
 /// Bounds in θ. The dynamic film's begin is brought to (−π, π].
@@ -121,11 +121,11 @@ Estimate pressure_from_edge(const NarrowGap& gap, const FilmWindow& window, bool
 
 }  // namespace
 
-FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearing<double>& bearing,
-                                           const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
-                                           const FilmQuadratureOptions& options) {
-  if (!(options.relative_tolerance >= 0)) {
-    throw std::invalid_argument("relative_tolerance is " + std::to_string(options.relative_tolerance) +
+FilmForceEstimate film_force_by_rule(OneDimensionalFilm film, const Bearing<double>& bearing,
+                                     const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
+                                     const FilmRule& rule, double relative_tolerance) {
+  if (!(relative_tolerance >= 0)) {
+    throw std::invalid_argument("relative_tolerance is " + std::to_string(relative_tolerance) +
                                 "; allowed is a number that is not negative");
   }
   const OneDimensionalFilmEntry& entry = entry_of(film);
@@ -137,7 +137,7 @@ FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearin
   double factor = 0;
   FilmPair integrals;
   try {
-    integrals = force_integrals(entry, gap, window, options, factor);
+    integrals = force_integrals(entry, gap, window, rule, relative_tolerance, factor);
   } catch (const QuadratureError& error) {
     throw QuadratureError(error.code(), described("force", entry, state) + ": " + error.what());
   }
@@ -149,6 +149,12 @@ FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearin
   force.radial = scaled_estimate(integrals.first);
   force.tangential = scaled_estimate(integrals.second);
   return force;
+}
+
+FilmForceEstimate film_force_by_gauss_legendre(OneDimensionalFilm film, const Bearing<double>& bearing,
+                                               const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
+                                               double relative_tolerance) {
+  return film_force_by_rule(film, bearing, lubricant, state, {}, relative_tolerance);
 }
 
 Estimate film_pressure_by_quadrature(OneDimensionalFilm film, const Bearing<double>& bearing,

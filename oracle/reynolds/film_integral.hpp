@@ -42,6 +42,17 @@ FilmForceEstimate film_force_by_quadrature(OneDimensionalFilm film, const Bearin
                                            const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
                                            const FilmQuadratureOptions& options = {});
 
+/// The same by the default rule alone, in which there is no GSL.
+/// @param relative_tolerance  of |F|
+FilmForceEstimate film_force_by_gauss_legendre(OneDimensionalFilm film, const Bearing<double>& bearing,
+                                               const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
+                                               double relative_tolerance = FilmQuadratureOptions().relative_tolerance);
+
+/// The same by a rule and what applies it.
+FilmForceEstimate film_force_by_rule(OneDimensionalFilm film, const Bearing<double>& bearing,
+                                     const Lubricant<double>& lubricant, const PolarFilmState<double>& state,
+                                     const FilmRule& rule, double relative_tolerance);
+
 /// Pressure [Pa] at θ [rad from the maximum film] and, for short films, at z [m from the middle], by the fields and the
 /// differential equation above; zero outside the film.
 /// @throws std::domain_error if |z| > L/2; otherwise as above

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "oracle/quadrature/adaptive.hpp"
-#include "oracle/quadrature/gauss_legendre.hpp"
 #include "oracle/quadrature/periodic_trapezoid.hpp"
 
 namespace lubjoint::oracle {
@@ -13,18 +12,6 @@ namespace lubjoint::oracle {
 namespace {
 
 using std::numbers::pi;
-
-void place_panel(const StretchedAngle& angle, double from, double to, const GaussLegendreRule& rule, FilmNodes& nodes) {
-  const double first = angle.stretched(from);
-  const double last = angle.stretched(to);
-  const double middle = 0.5 * (first + last);
-  const double half = 0.5 * (last - first);
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const StretchedAngle::Place place = angle.at(middle + half * rule.nodes()[i]);
-    nodes.phi.push_back(place.phi);
-    nodes.weight.push_back(half * rule.weights()[i] * place.rate);
-  }
-}
 
 /// Ends of the window and, as far as they lie inside, the minimum film and places a few widths of the dip from it.
 std::vector<double> break_points(const NarrowGap& gap, const FilmWindow& window) {
@@ -74,15 +61,6 @@ Estimate integrate_around(const NarrowGap& gap, const FilmWindow& window, const 
 }
 
 }  // namespace
-
-void place_film_nodes(const NarrowGap& gap, const FilmWindow& window, std::size_t rung, FilmNodes& nodes) {
-  const GaussLegendreRule& rule = gauss_legendre_rung(rung);
-  nodes.phi.clear();
-  nodes.weight.clear();
-  const StretchedAngle angle(gap, window);
-  if (window.from < angle.origin()) place_panel(angle, window.from, angle.origin(), rule, nodes);
-  if (window.to > angle.origin()) place_panel(angle, angle.origin(), window.to, rule, nodes);
-}
 
 Estimate integrate_over_film(FilmQuadratureRule rule, const NarrowGap& gap, const FilmWindow& window,
                              const Integrand& f, const Tolerance& tolerance) {

@@ -40,4 +40,10 @@ void place_film_nodes(const NarrowGap& gap, const FilmWindow& window, std::size_
 Estimate integrate_over_film(FilmQuadratureRule rule, const NarrowGap& gap, const FilmWindow& window,
                              const Integrand& f, const Tolerance& tolerance);
 
+/// A rule with what applies it. gauss_legendre alone needs no integrator: without one, no GSL is linked.
+struct FilmRule {
+  FilmQuadratureRule rule = FilmQuadratureRule::gauss_legendre;
+  decltype(&integrate_over_film) integrator = nullptr;
+};
+
 }  // namespace lubjoint::oracle

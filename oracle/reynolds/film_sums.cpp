@@ -1,12 +1,10 @@
 #include "oracle/reynolds/film_sums.hpp"
 
-#include <gsl/gsl_errno.h>
-
 #include <limits>
 #include <numbers>
 
 #include "oracle/quadrature/gauss_legendre.hpp"
-#include "oracle/quadrature/gsl_call.hpp"
+#include "oracle/quadrature/quadrature_error.hpp"
 #include "oracle/reynolds/pressure_slope.hpp"
 
 namespace lubjoint::oracle {
@@ -36,20 +34,19 @@ FilmPair climb(const SumsOnRung& sums_on_rung, const FilmWindow& window, double 
     coarse = fine;
   }
   const Request request{"Gauss-Legendre over the film", window.from, window.to, {relative_tolerance, 0}};
-  checked(GSL_ETOL, request, {coarse.norm(), difference});
-  return {};
+  fail_before_tolerance(request, {coarse.norm(), difference});
 }
 
 /// The scalar rules do one component at a time; the size of the whole, for their tolerance, is that of a fixed rule.
 template <class Component>
 FilmPair componentwise(const Component& component, const FilmSums& preview, const NarrowGap& gap,
-                       const FilmWindow& window, FilmQuadratureRule rule, double relative_tolerance) {
+                       const FilmWindow& window, const FilmRule& rule, double relative_tolerance) {
   const auto estimate = [&](std::size_t i) {
     const double below_rounding = rounding_units * preview.magnitude[i];
     const Tolerance tolerance{0, std::max(relative_tolerance * preview.norm(), below_rounding)};
     if (preview.magnitude[i] == 0) return Estimate{};
-    Estimate answer = integrate_over_film(
-        rule, gap, window, [&](double phi) { return component(phi, i); }, tolerance);
+    Estimate answer = rule.integrator(
+        rule.rule, gap, window, [&](double phi) { return component(phi, i); }, tolerance);
     // An adaptive rule's estimate is at times far below its error, by luck of its nodes. No more is claimed than was
     // asked.
     answer.error = std::max(answer.error, tolerance.absolute) + below_rounding;
@@ -116,17 +113,18 @@ SlopeSums add_up(const PressureSlope& slope, const FilmNodes& nodes) {
 }
 
 /// Means by a scalar rule. An error δ in each mean changes a covariance by the product of two δ only.
-WeightedMeans means_by(FilmQuadratureRule rule, const PressureSlope& slope, const SlopeSums& preview,
-                       const NarrowGap& gap, const FilmWindow& window, double relative_tolerance) {
+WeightedMeans means_by(const FilmRule& rule, const PressureSlope& slope, const SlopeSums& preview, const NarrowGap& gap,
+                       const FilmWindow& window, double relative_tolerance) {
   const auto moment = [&](const auto& coordinate, double size) {
     const Tolerance tolerance{0, std::max(relative_tolerance, rounding_units) * size};
-    return integrate_over_film(
-               rule, gap, window,
-               [&](double phi) {
-                 const PressureSlope::Place p = slope.at(phi);
-                 return p.weight * coordinate(p);
-               },
-               tolerance)
+    return rule
+        .integrator(
+            rule.rule, gap, window,
+            [&](double phi) {
+              const PressureSlope::Place p = slope.at(phi);
+              return p.weight * coordinate(p);
+            },
+            tolerance)
         .value;
   };
   const double weight = moment([](const PressureSlope::Place&) { return 1.0; }, preview.weight);
@@ -168,17 +166,17 @@ FilmSums KnownPressure::terms(double phi) const {
 }
 
 FilmPair integrate_known_pressure(const KnownPressure& pressure, const NarrowGap& gap, const FilmWindow& window,
-                                  FilmQuadratureRule rule, double relative_tolerance) {
+                                  const FilmRule& rule, double relative_tolerance) {
   const FilmWindow side = pressure.folded() ? FilmWindow{0, window.to} : window;
   thread_local FilmNodes nodes;
   const auto on_rung = [&](std::size_t rung) {
     place_film_nodes(gap, side, rung, nodes);
     return add_up(pressure, nodes);
   };
-  if (rule == FilmQuadratureRule::gauss_legendre) return climb(on_rung, side, relative_tolerance);
+  if (rule.rule == FilmQuadratureRule::gauss_legendre) return climb(on_rung, side, relative_tolerance);
   const FilmSums preview = on_rung(first_rung + 1);
   const auto component = [&](double phi, std::size_t i) { return pressure.terms(phi).value[i]; };
-  if (rule != FilmQuadratureRule::trapezoid) {
+  if (rule.rule != FilmQuadratureRule::trapezoid) {
     return componentwise(component, preview, gap, side, rule, relative_tolerance);
   }
   FilmPair turn = componentwise(component, preview, gap, window, rule, relative_tolerance);
@@ -187,7 +185,7 @@ FilmPair integrate_known_pressure(const KnownPressure& pressure, const NarrowGap
 }
 
 FilmPair integrate_pressure_slope(const NarrowGap& gap, const FilmWindow& window, bool edges_are_zeros,
-                                  FilmQuadratureRule rule, double relative_tolerance) {
+                                  const FilmRule& rule, double relative_tolerance) {
   const PressureSlope slope(gap, window, edges_are_zeros);
   thread_local FilmNodes nodes;
   const auto on_rung = [&](std::size_t rung) {
@@ -195,7 +193,7 @@ FilmPair integrate_pressure_slope(const NarrowGap& gap, const FilmWindow& window
     return add_up(slope, nodes);
   };
   FilmPair pair;
-  if (rule == FilmQuadratureRule::gauss_legendre) {
+  if (rule.rule == FilmQuadratureRule::gauss_legendre) {
     pair = climb([&](std::size_t rung) { return on_rung(rung).covariances; }, window, relative_tolerance);
   } else {
     const SlopeSums preview = on_rung(first_rung + 1);

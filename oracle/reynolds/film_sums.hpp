@@ -57,12 +57,12 @@ class KnownPressure {
 
 /// Integrals of p cosθ and p sinθ by a rule.
 FilmPair integrate_known_pressure(const KnownPressure& pressure, const NarrowGap& gap, const FilmWindow& window,
-                                  FilmQuadratureRule rule, double relative_tolerance);
+                                  const FilmRule& rule, double relative_tolerance);
 
 /// ∫ p cosθ dθ and ∫ p sinθ dθ of the long film with p = 0 at both ends, p over 6μ(R/c)²: F_r/S is 6 × first and F_t/S
 /// 6 × second. Two passes: means of X and Y with weight 1/H³, then −∫ (G − Ḡ)(X − X̄)/H³ and the same with Y
 /// (pressure_slope.hpp), turned from the axes at φ₀ to the radial and tangential directions.
 FilmPair integrate_pressure_slope(const NarrowGap& gap, const FilmWindow& window, bool edges_are_zeros,
-                                  FilmQuadratureRule rule, double relative_tolerance);
+                                  const FilmRule& rule, double relative_tolerance);
 
 }  // namespace lubjoint::oracle

@@ -5,6 +5,7 @@ set(finite_length_sources
   cavitated_grid.cpp
   circumferential_modes.cpp
   envelope_cholesky.cpp
+  film_onset.cpp
   finite_force.cpp
   finite_length.cpp
   lobatto.cpp

@@ -5,9 +5,9 @@
 
 namespace lubjoint::verify {
 
-namespace {
-
 using nlohmann::json;
+
+namespace {
 
 json names_json(const std::vector<const Mistake*>& set) {
   json names = json::array();
@@ -38,16 +38,6 @@ json state_json(const Verification& v, std::size_t i) {
           {"received", received}, {"tolerance", tolerance}, {"certified", certified}};
 }
 
-json domain_json(const Domain& domain) {
-  json list = json::array();
-  for (const Conjunction& conjunction : domain) {
-    json all = json::array();
-    for (const Condition& condition : conjunction) all.push_back(condition.words());
-    list.push_back(all);
-  }
-  return list;
-}
-
 json regimes_json(const Judgement& judgement) {
   json list = json::array();
   for (const RegimeResult& r : judgement.regimes) {
@@ -72,21 +62,6 @@ json decades_json(const DigitProfile& profile) {
                     {"undecided", d.undecided},
                     {"digits", decided ? json(d.least) : json()},
                     {"median_digits", decided ? json(d.median) : json()}});
-  }
-  return list;
-}
-
-json terms_json(const std::vector<Term>& terms) {
-  json list = json::array();
-  for (const Term& term : terms) {
-    list.push_back({{"component", std::string(component_names[static_cast<std::size_t>(term.component)])},
-                    {"states", std::string(motion_kind_names[static_cast<std::size_t>(term.states)])},
-                    {"verdict", std::string(term_verdict_names[static_cast<std::size_t>(term.verdict)])},
-                    {"digits", term.digits},
-                    {"part", term.part.empty() ? json() : json(term.part)},
-                    {"factor", term.factor ? number_or_null(*term.factor) : json()},
-                    {"factor_text", term.factor_text},
-                    {"exponents", term.exponents.empty() ? json() : json(term.exponents)}});
   }
   return list;
 }
@@ -132,6 +107,31 @@ json pattern_json(const Verification& v) {
 }
 
 }  // namespace
+
+json domain_json(const Domain& domain) {
+  json list = json::array();
+  for (const Conjunction& conjunction : domain) {
+    json all = json::array();
+    for (const Condition& condition : conjunction) all.push_back(condition.words());
+    list.push_back(all);
+  }
+  return list;
+}
+
+json terms_json(const std::vector<Term>& terms) {
+  json list = json::array();
+  for (const Term& term : terms) {
+    list.push_back({{"component", std::string(component_names[static_cast<std::size_t>(term.component)])},
+                    {"states", std::string(motion_kind_names[static_cast<std::size_t>(term.states)])},
+                    {"verdict", std::string(term_verdict_names[static_cast<std::size_t>(term.verdict)])},
+                    {"digits", term.digits},
+                    {"part", term.part.empty() ? json() : json(term.part)},
+                    {"factor", term.factor && std::isfinite(*term.factor) ? json(*term.factor) : json()},
+                    {"factor_text", term.factor_text},
+                    {"exponents", term.exponents.empty() ? json() : json(term.exponents)}});
+  }
+  return list;
+}
 
 json json_report(const Verification& v) {
   const Judgement& j = v.judgement;

@@ -72,16 +72,6 @@ std::string decade_table(const DigitProfile& profile) {
   return text;
 }
 
-std::string terms_text(const Verification& v) {
-  std::string text = "\nTerm by term (wedge: steady rotation in a bearing at rest; closing, opening: pure squeeze):\n";
-  for (const Term& term : v.terms) {
-    fmt::format_to(std::back_inserter(text), "  {:<11} {:<8} {}\n",
-                   component_names[static_cast<std::size_t>(term.component)],
-                   motion_kind_names[static_cast<std::size_t>(term.states)], term.words());
-  }
-  return text;
-}
-
 std::string columns_text(const Verification& v) {
   std::string text = "\nColumn by column:\n";
   for (const ColumnResult& column : v.columns) {
@@ -91,15 +81,13 @@ std::string columns_text(const Verification& v) {
 }
 
 std::string domains_text(const Verification& v) {
-  std::string text;
-  if (!v.right_where.empty()) text += "  right where " + words(v.right_where) + '\n';
-  if (!v.wrong_where.empty()) text += "  wrong where " + words(v.wrong_where) + '\n';
-  if (!v.not_a_number_where.empty()) text += "  not a number where " + words(v.not_a_number_where) + '\n';
+  std::string text = domains_text(v.right_where, v.wrong_where, v.not_a_number_where);
   if (v.group && !v.group->where.empty()) {
+    if (text.empty()) text = "\nWhere:\n";
     fmt::format_to(std::back_inserter(text), "  {:g} times the right answer where {}\n", v.group->factor,
                    words(v.group->where));
   }
-  return text.empty() ? "" : "\nWhere:\n" + text;
+  return text;
 }
 
 std::string suspicion_text(const Suspicion& s) {
@@ -167,6 +155,24 @@ std::string headline(const Verification& v) {
                      j.judged(), j.precision.words(), 100 * largest_undecided_share);
 }
 
+std::string terms_text(const std::vector<Term>& terms) {
+  std::string text = "\nTerm by term (wedge: steady rotation in a bearing at rest; closing, opening: pure squeeze):\n";
+  for (const Term& term : terms) {
+    fmt::format_to(std::back_inserter(text), "  {:<11} {:<8} {}\n",
+                   component_names[static_cast<std::size_t>(term.component)],
+                   motion_kind_names[static_cast<std::size_t>(term.states)], term.words());
+  }
+  return text;
+}
+
+std::string domains_text(const Domain& right, const Domain& wrong, const Domain& not_a_number) {
+  std::string text;
+  if (!right.empty()) text += "  right where " + words(right) + '\n';
+  if (!wrong.empty()) text += "  wrong where " + words(wrong) + '\n';
+  if (!not_a_number.empty()) text += "  not a number where " + words(not_a_number) + '\n';
+  return text.empty() ? "" : "\nWhere:\n" + text;
+}
+
 std::string text_report(const Verification& v) {
   std::string text = headline(v) + '\n' + regime_table(v.judgement);
   const bool simple = v.verdict == Verdict::agrees || v.verdict == Verdict::undecided;
@@ -184,7 +190,7 @@ std::string text_report(const Verification& v) {
   }
   if (v.verdict == Verdict::disagrees) {
     text += domains_text(v);
-    if (!v.terms.empty()) text += terms_text(v);
+    if (!v.terms.empty()) text += terms_text(v.terms);
     if (!v.columns.empty()) text += columns_text(v);
     text += suspicions_text(v);
   }

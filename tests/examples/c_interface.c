@@ -95,6 +95,23 @@ int main(int count, char** arguments) {
   if (fabs(tangential[0] - scale * pi / (2 * pow(0.75, 1.5))) > 1e-14 * tangential[0]) return 2;
   if (fabs(tangential[1] - scale * pi / 2) > 1e-14 * tangential[1]) return 3;
 
+  /* arrays without gaps: the same numbers, the same errors */
+  const double dense[2] = {0.5, 0}, ones[2] = {1, 1}, none[2] = {0, 0};
+  double again_radial[2], again[2];
+  if (lubjoint_polar_force_gapless("short_full", &bearing, 2, dense, ones, none, again_radial, again)) return 90;
+  if (again[0] != tangential[0] || again[1] != tangential[1] || again_radial[0] != radial[0]) return 91;
+  const double places[2] = {1e-4, 0};
+  if (lubjoint_journal_force_gapless("short_full", &bearing, 2, places, none, none, none, none, ones, again_radial,
+                                     again) ||
+      fabs(again[0] - 0.5 * tangential[0]) > 1e-14 * tangential[0]) { /* along x, in a bearing at rest: a = 0.5 */
+    return 92;
+  }
+  if (lubjoint_polar_force_gapless("short_full", &bearing, 2, ratios, ones, none, again_radial, again) != EDOM)
+    return 93;
+  if (lubjoint_polar_force_gapless("short_full", &bearing, 2, NULL, ones, none, again_radial, again) != EINVAL)
+    return 94;
+  if (!strstr(lubjoint_message(), "eccentricity_ratio is a null pointer")) return 95;
+
   /* errors: number, message, and the row */
   const lubjoint_in bad = {ratios, sizeof(double)};
   if (lubjoint_polar_force("short_full", &bearing, 2, bad, all(&one), all(&zero), to_radial, to_tangential) != EDOM) {

@@ -1,10 +1,14 @@
 """The Python package, used as a user would; run by tests/python_package.sh in a fresh environment."""
 
+import csv
 import doctest
 import importlib.metadata
+import io
+import json
 import os
 import pathlib
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -13,10 +17,11 @@ import warnings
 import numpy
 
 import lubjoint
-from lubjoint import _film, _library, _oracle, _rest, _verify
+from lubjoint import _film, _library, _oracle, _rest, _simulate, _verify
 
 sys.path.insert(0, sys.argv[1])
-import pinkus_sternlicht  # noqa: E402  the example beside this file
+import capone  # noqa: E402  examples beside this file
+import pinkus_sternlicht  # noqa: E402
 
 
 def force(wrong):
@@ -79,6 +84,33 @@ assert grid[1][1, 2] == lubjoint.polar_force("short_half", bearing, 0.5, 2.0, 1.
 plane = (numpy.empty((2, 3)), numpy.empty((2, 3)))
 assert (lubjoint.polar_force("short_half", bearing, [[0.1], [0.5]], 2.0, [-1, 0, 1], out=plane)[0] == grid[0]).all()
 assert (plane[1] == grid[1]).all()
+# Arrays of one length without gaps go a shorter way: the same bits, the same errors, and only if they are that.
+columns = [numpy.ascontiguousarray(c) for c in numpy.random.default_rng(3).uniform(0, 0.9, (6, 100))]
+broad = lubjoint.Bearing(viscosity=0.04, length=0.02, radius=0.02, clearance=2e-4)
+motions = [1e-4 * columns[0], 1e-4 * columns[1], *columns[2:]]
+for law in ("short_half", "long_dynamic", "finite_full"):
+    short_way = lubjoint.journal_force(law, broad, *motions)
+    long_way = lubjoint.journal_force(law, broad, *numpy.array(motions).T.copy().T)  # with gaps
+    assert all((a == b).all() for a, b in zip(short_way, long_way)), law
+outside = columns[0].copy()
+outside[7] = 1.5
+unwritten = (numpy.full(100, -1.0), numpy.full(100, -1.0))
+try:
+    lubjoint.polar_force("short_half", bearing, outside, columns[1], columns[2], out=unwritten)
+    raise AssertionError("a row without a film must be refused")
+except ValueError as error:
+    assert "row 7" in str(error) and (unwritten[0][:7] != -1).all() and (unwritten[0][7:] == -1).all(), error
+read_only = columns[0].copy()
+read_only.flags.writeable = False  # goes the longer way
+assert (lubjoint.polar_force("short_half", bearing, read_only, columns[1], columns[2])[0] ==
+        lubjoint.polar_force("short_half", bearing, columns[0], columns[1], columns[2])[0]).all()
+whole = lubjoint.polar_force("short_half", bearing, numpy.array([0, 0]), numpy.array([1, 2]), numpy.array([0, 0]))
+assert whole[1].dtype == numpy.float64 and whole[1][1] == 2 * whole[1][0] > 0  # integers
+try:
+    lubjoint.polar_force("short_half", bearing, *columns[:3], out=(read_only, columns[1]))
+    raise AssertionError("an output that can't be written must be refused")
+except ValueError as error:
+    assert "writeable" in str(error)
 for wrong in ({"law": "short"}, {"eccentricity_ratio": 1.5}, {"slip_rate": [1, 2], "squeeze_rate": [1, 2, 3]},
               {"eccentricity_ratio": numpy.zeros((2, 2)), "out": (numpy.empty(4), numpy.empty(4))}):
     arguments = {"law": "short_half", "bearing": bearing, "eccentricity_ratio": 0.5, "slip_rate": 1, "squeeze_rate": 1}
@@ -161,6 +193,18 @@ with warnings.catch_warnings(record=True) as said:
     for _ in range(2):  # once a table
         lubjoint.polar_force("finite_reynolds", half_as_long, 0.97, 1, 0)
 assert len(said) == 1 and "0.95" in str(said[0].message), said
+# Integrals of the pressure, without a force law: each law within the bound that is stated and its own roundings.
+for law in ("short_full", "short_half", "short_dynamic", "long_full", "long_half", "long_half_eq5", "long_dynamic"):
+    solved = lubjoint.oracle_force(law, half_as_long, ratios, slips, squeezes)
+    radial, tangential = lubjoint.polar_force(law, half_as_long, ratios, slips, squeezes)
+    size = numpy.hypot(radial, tangential)
+    bound = numpy.hypot(solved.radial_error, solved.tangential_error)
+    off = numpy.hypot(radial - solved.radial, tangential - solved.tangential)
+    assert (off <= bound + 2e-14 * size).all(), (law, off / size)  # README, "How accurate": laws to 1.3e-14
+    assert (bound < 1e-12 * size).all(), (law, bound / size)
+    other = lubjoint.polar_force("long_half" if law != "long_half" else "long_full", half_as_long, ratios, slips, squeezes)
+    assert (numpy.hypot(other[0] - solved.radial, other[1] - solved.tangential) > bound).any(), law  # it can say no
+assert lubjoint.oracle_force("short_full", half_as_long, [[0.1], [0.2]], 1, [0, 1, 2]).radial.shape == (2, 3)
 # A table that does not ship is compiled, and kept where it is found again; a damaged one is made again, with a word.
 with tempfile.TemporaryDirectory() as cache:
     os.environ["XDG_CACHE_HOME"] = cache
@@ -188,7 +232,11 @@ for bad in ((lambda: lubjoint.equilibrium("short_half", bearing, -1, 50)),
             (lambda: lubjoint.film_table("short_full", bearing)),
             (lambda: lubjoint.oracle_force("finite_half", squat, 0.5, 1, 1, onset="free")),
             (lambda: lubjoint.oracle_force("finite_half", squat, [0.5, 1.5], 1, 1)),
-            (lambda: lubjoint.oracle_force("short_half", squat, 0.5, 1, 1)),
+            (lambda: lubjoint.oracle_force("short_quarter", squat, 0.5, 1, 1)),
+            (lambda: lubjoint.oracle_force("short_half", squat, 0.5, 1, 1, onset="free")),
+            (lambda: lubjoint.oracle_force("short_half", squat, 1.5, 1, 1)),
+            (lambda: lubjoint.oracle_force("short_half", squat, 0.5, 1, 1, tolerance=1e-16)),
+            (lambda: lubjoint.oracle_force("finite_half", squat, 0.5, 1, 1, tolerance=0)),
             (lambda: lubjoint.oracle_force("finite_half", squat, 0.5, 1, 1, tolerance=1)),
             (lambda: lubjoint.film_losses("long_full", bearing, 0, 0, 0, 0, 0, 1, shear="striated")),
             (lambda: lubjoint.film_coefficients("long_full", bearing, 0, 1)),
@@ -227,8 +275,118 @@ nearly = lubjoint.verify(lambda **s: [x * (1 + 1e-7) for x in short_full(**s)], 
 assert nearly and nearly["accepted"], nearly
 assert len(lubjoint.states("cartesian", at_most=12)["ex"]) == 12
 
+# Without dimensions, in the program's own unit, S omega/4; and a mistake in it.
+own_unit = {"law": "short_dynamic", "quantities": "dimensionless", "unit": 0.25, "vectorized": False, "random": 100}
+assert lubjoint.verify(lambda **s: capone.force(*s.values(), 2), **own_unit)
+report = lubjoint.verify(lambda **s: capone.force(*s.values(), 1), **own_unit)
+assert not report and report.suspects[0]["mistakes"] == ["time_over_mean_spin"], report
+
+
+# Programs for the film of the bearing's real length: one by differences, which shares nothing with the judge.
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]).parent / "programs"))
+stdin, sys.stdin, stdout, sys.stdout = sys.stdin, io.StringIO("id\n"), sys.stdout, io.StringIO()
+try:
+    import finite  # noqa: E402  a program that reads states: of none here
+finally:
+    sys.stdin, sys.stdout = stdin, stdout
+
+
+def differences(mode):
+    def answer(**state):
+        finite.MODE = mode
+        return finite.answer(state)
+    return answer
+
+
+finite_half = {"law": "finite_half", "tolerance": 1e-2, "vectorized": False}
+right = lubjoint.verify(differences("right"), **finite_half)
+assert right and right.verdict == "agrees" and right["states"] == 80 and right["law"] == "finite_half", right
+for mode, name in (("half_length", "half_bearing_not_doubled"), ("length_over_radius", "length_over_radius"),
+                   ("no_squeeze", "squeeze_left_out"), ("half_squeeze", "squeeze_rate_halved"),
+                   ("not_mirrored", "film_not_mirrored"), ("diametral", "diametral_clearance"), ("steady", "steady_only")):
+    report = lubjoint.verify(differences(mode), **finite_half)
+    assert not report and report.suspects[0]["mistakes"] == [name], (mode, report)
+assert report.right_where == [["squeeze_rate == 0"]], report.right_where  # of the steady one
+assert {(t["component"], t["states"]): t["verdict"] for t in report.terms}[("radial", "wedge")] == "right", report.terms
+assert "Term by term" in str(report)
+steady = lubjoint.verify(differences("steady"), steady=True, **finite_half)
+assert steady and steady["domain"] and steady["states"] == 40, steady
+few = lubjoint.verify(differences("right"), at_most=12, **finite_half)
+assert few and few["states"] + few["left_out"] == 12, few  # some of them on the half film's jump
+assert len(lubjoint.states("polar", law="finite_reynolds")["squeeze_rate"]) == 120
+film = lubjoint.verify(differences("full"), **finite_half)
+assert film["other"] == "finite_full" and film["other_films"] == ["finite_full"], film
+for wrong in ({"random": 5}, {"seed": 2}, {"quantities": "pressure"}, {"unit": 0.25}, {"shear": "film"},
+              {"onset": "free"}, {"domain": "speed > 1e9"}, {"tolerance": 0.5}):
+    try:
+        lubjoint.verify(differences("right"), **{**finite_half, **wrong})
+        raise AssertionError(f"{wrong} must be refused")
+    except ValueError:
+        pass
+
+# Runs: the numbers of the command, bit for bit, and its summary and warnings.
+scenes = pathlib.Path(sys.argv[1]).parents[1] / "data" / "scenes"
+program = os.path.join(os.environ["LUBJOINT_BUILT"], "lubjoint")
+
+
+def commanded(scene, *options):
+    """Columns and summary of `lubjoint simulate`, and what it warns of."""
+    with tempfile.TemporaryDirectory() as folder:
+        ran = subprocess.run([program, "simulate", scene, "--out", folder, "--json", *options], capture_output=True,
+                             text=True)
+        assert ran.returncode in (0, 1), ran.stderr
+        (file,) = pathlib.Path(folder).glob("*.csv")
+        rows = list(csv.reader(file.read_text().splitlines()))
+    warned = [line.removeprefix("warning: ") for line in ran.stderr.splitlines() if line.startswith("warning: ")]
+    return dict(zip(rows[0], zip(*rows[1:]))), json.loads(ran.stdout), warned
+
+
+for scene, given in (("journal.toml", {"duration": 0.2, "law": "long_half", "after": 0.05}),
+                     ("journal.toml", {"duration": 0.1, "law": "finite_full", "rtol": 1e-7}),
+                     ("slider-crank.toml", {"duration": 2e-3, "integrator": "dopri5"}),
+                     ("impact.toml", {}), ("space/spatial-slider-crank.toml", {"duration": 2e-3})):
+    columns, summary, warned = commanded(scenes / scene, *(word for name, value in given.items()
+                                                           for word in (f"--{name}", str(value))))
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        run = lubjoint.simulate(scenes / scene, **given)
+    assert [str(w.message) for w in said] == warned and all(w.filename == __file__ for w in said), (scene, said, warned)
+    assert list(run) == list(columns) and run.t is not None and len(run.t) == len(columns["t"]) > 1, scene
+    for name, texts in columns.items():
+        numbers = numpy.array([float(text) if text else numpy.nan for text in texts])
+        assert numpy.array_equal(run[name], numbers, equal_nan=True), (scene, name)
+        assert (numpy.isnan(run[name]) == [not text for text in texts]).all(), (scene, name)
+    assert run.summary.pop("wall_s") >= 0 and summary.pop("wall_s") >= 0
+    assert run.summary == summary and run.finished == (summary["status"] == "finished"), scene
+warnings.simplefilter("ignore")  # they were looked at above
+assert numpy.isfinite(lubjoint.simulate(scenes / "journal.toml", duration=0.01).values_by_column).all()
+journal = (scenes / "journal.toml").read_text()
+again = lubjoint.simulate(text=journal, duration=0.01)
+assert (again["bearing.fx"] == lubjoint.simulate(scenes / "journal.toml", duration=0.01)["bearing.fx"]).all()
+other = lubjoint.simulate(text=journal.replace("viscosity = 0.4", "viscosity = 0.5"), duration=0.01)
+assert (again["bearing.fx"] != other["bearing.fx"]).any() and "bearing.torque_journal" not in other
+limited = lubjoint.simulate(text=journal.replace("[integrator]", "[integrator]\nmax_steps = 60"))
+assert not limited.finished and limited.summary["status"] == "stopped", limited
+assert "60 steps" in limited.summary["message"] and limited.t[-1] == limited.summary["t_end"] < 1, limited
+for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"text": "duration = -1"}),
+                     ("film", {"text": journal.replace("pinkus_sternlicht", "pinkus")}),
+                     ("short_half", {"scene": scenes / "journal.toml", "law": "short"}),
+                     ("radau_iia5", {"scene": scenes / "journal.toml", "integrator": "euler"}),
+                     ("rtol is 2", {"scene": scenes / "journal.toml", "rtol": 2}),
+                     ("duration is -1", {"scene": scenes / "journal.toml", "duration": -1}),
+                     ("after is 9", {"scene": scenes / "journal.toml", "duration": 0.1, "after": 9}),
+                     ("plane", {"scene": scenes / "space" / "top.toml", "after": 0.1}),
+                     ("no effect", {"scene": scenes / "slider-crank-ideal.toml", "law": "short_half"}),
+                     ("one of scene and text", {}), ("NUL", {"text": "duration = 1\0"}),
+                     ("eccentricity ratio 5000", {"text": journal.replace("position = [0.0, 0.0]", "position = [1.0, 0.0]")})):
+    try:
+        lubjoint.simulate(**wrong)
+        raise AssertionError(f"{wrong} must be refused")
+    except ValueError as error:
+        assert words in str(error) and "--" not in str(error), (wrong, error)
+
 # The examples in the documentation, and that every public name has one sentence at least.
-for module in (_film, _oracle, _rest, _verify):
+for module in (_film, _oracle, _rest, _simulate, _verify):
     outcome = doctest.testmod(module)
     assert outcome.attempted >= 2 and outcome.failed == 0, (module, outcome)
 assert all(getattr(lubjoint, name).__doc__ for name in lubjoint.__all__)

@@ -9,7 +9,8 @@ from typing import Optional, Sequence
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from ._library import (Array, Batch, Bearing, Contact, JacobianStruct, MotionStruct, Number, call, check, library)
+from ._library import (Array, Batch, Bearing, Contact, JacobianStruct, MotionStruct, Number, address_of, buffer_of, call,
+                       check, float64, library, no_buffer)
 from ._oracle import warn_beyond
 from ._rest import coefficients, equilibrium  # noqa: F401  in an example
 
@@ -29,6 +30,41 @@ def laws() -> list[str]:
     while (name := library.lubjoint_law_name(len(names))) is not None:
         names.append(name.decode())
     return names
+
+
+_formulas = {name: name.encode() for name in laws() if not name.startswith("finite_")}
+_polar_force, _journal_force = library.lubjoint_polar_force_gapless, library.lubjoint_journal_force_gapless
+_empty = numpy.empty
+_not_gapless = no_buffer + (KeyError,)
+
+
+def _gapless(function, law, bearing, arrays, out):
+    """The two answers for arrays of one length without gaps, for which the structures of a Batch would take longer than
+    a thousand forces; None where they are not that, or the law is a table."""
+    try:
+        shape = arrays[0].shape
+        count, = shape
+        places = []
+        for array in arrays:
+            if array.shape != shape or array.dtype is not float64:
+                return None
+            places.append(address_of(buffer_of(array)))
+        if out is None:
+            # One block: the allocator keeps it for the next call. Of two it gives the memory back each time, and getting
+            # it anew costs more than the forces.
+            block = _empty((2, count))
+            first = address_of(buffer_of(block))
+            one, other, second = block[0], block[1], first + 8 * count
+        else:
+            one, other = out
+            if one.dtype is not float64 or other.dtype is not float64 or not one.shape == other.shape == shape:
+                return None
+            first, second = address_of(buffer_of(one)), address_of(buffer_of(other))
+        status = function(_formulas[law], bearing._address, count, *places, first, second)
+    except _not_gapless:
+        return None
+    check(status)
+    return one, other
 
 
 def polar_force(law: str, bearing: Bearing, eccentricity_ratio: ArrayLike, slip_rate: ArrayLike,
@@ -61,6 +97,9 @@ def polar_force(law: str, bearing: Bearing, eccentricity_ratio: ArrayLike, slip_
     >>> polar_force("short_half", bearing, [[0.1], [0.2]], 1, [0, 1, 2])[0].shape
     (2, 3)
     """
+    forces = _gapless(_polar_force, law, bearing, (eccentricity_ratio, slip_rate, squeeze_rate), out)
+    if forces is not None:
+        return forces
     batch = Batch([eccentricity_ratio, slip_rate, squeeze_rate], out)
     call(library.lubjoint_polar_force, law, bearing, batch.count, *batch.inputs, *batch.outputs)
     warn_beyond(law, bearing, eccentricity_ratio)
@@ -83,6 +122,9 @@ def journal_force(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx: 
     >>> fx < 0 < fy
     True
     """
+    forces = _gapless(_journal_force, law, bearing, (ex, ey, vx, vy, omega_bearing, omega_journal), out)
+    if forces is not None:
+        return forces
     batch = Batch([ex, ey, vx, vy, omega_bearing, omega_journal], out)
     call(library.lubjoint_journal_force, law, bearing, batch.count, MotionStruct(*batch.inputs), *batch.outputs)
     warn_beyond(law, bearing, ex, ey)

@@ -6,6 +6,8 @@ import ctypes
 import errno
 import math
 import os
+import sys
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Union
@@ -61,13 +63,15 @@ class FilmStruct(ctypes.Structure):
 
 def _declare():
     name, size, pointer = ctypes.c_char_p, ctypes.c_size_t, ctypes.POINTER
-    bearing, motion = pointer(BearingStruct), pointer(MotionStruct)
+    bearing, motion, address = pointer(BearingStruct), pointer(MotionStruct), ctypes.c_void_p
     arguments = {
         "law_name": [size],
         "use_film": [name],
         "film_of": [name, bearing, pointer(FilmStruct)],
         "polar_force": [name, bearing, size] + 5 * [Array],
         "journal_force": [name, bearing, size, motion, Array, Array],
+        "polar_force_gapless": [name, address, size] + 5 * [address],
+        "journal_force_gapless": [name, address, size] + 8 * [address],
         "force_jacobian": [name, bearing, size, motion, pointer(JacobianStruct)],
         "transition_force": [name, bearing, pointer(ContactStruct), size, motion, Array, Array],
         "film_losses": [name, bearing, name, size, motion, pointer(LossesStruct)],
@@ -98,6 +102,10 @@ class Bearing:
     def _struct(self) -> BearingStruct:
         return BearingStruct(self.viscosity, self.length, self.radius, self.clearance)
 
+    @cached_property
+    def _address(self) -> int:
+        return ctypes.addressof(self._struct)
+
     def __getstate__(self) -> tuple[float, ...]:
         return self.viscosity, self.length, self.radius, self.clearance
 
@@ -120,16 +128,28 @@ class Contact:
         return ContactStruct(self.e0, self.e1, self.stiffness, self.restitution, self.impact_speed)
 
 
+def warn(message: str) -> None:
+    """Warns at the line outside of this package that has called it, through however many functions."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == folder:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, stacklevel=level)
+
+
+def show_compiling(law: str, done: int, everything: int) -> None:
+    """Progress on a terminal: a table that is not at hand takes a minute or two."""
+    print(f"\rcompiling {law}: {done} of {everything}", end="\n" if done == everything else "", file=sys.stderr, flush=True)
+
+
+def error_of(status: int, message: bytes) -> Exception:
+    """What an error number stands for."""
+    return {errno.ENOMEM: MemoryError, errno.ERANGE: OverflowError}.get(status, ValueError)(message.decode())
+
+
 def check(status: int) -> None:
     """Raises what an error number stands for, with the message."""
-    if status == 0:
-        return
-    message = library.lubjoint_message().decode()
-    if status == errno.ENOMEM:
-        raise MemoryError(message)
-    if status == errno.ERANGE:
-        raise OverflowError(message)
-    raise ValueError(message)
+    if status:
+        raise error_of(status, library.lubjoint_message())
 
 
 def call(function: Any, law: str, bearing: Bearing, *arguments: Any) -> None:
@@ -144,15 +164,17 @@ def call(function: Any, law: str, bearing: Bearing, *arguments: Any) -> None:
         check(status)
 
 
-_letter = ctypes.c_char
-_address_of = ctypes.addressof
-_no_address = (TypeError, ValueError)
+address_of = ctypes.addressof
+buffer_of = ctypes.c_char.from_buffer
+"""What refuses arrays that are read-only, with gaps, or empty; the two together take a third of array.ctypes.data."""
+no_buffer = (AttributeError, TypeError, ValueError)
+float64 = numpy.dtype(numpy.float64)
 
 
 def _address(array):
-    try:  # a third of the time that array.ctypes takes
-        return _address_of(_letter.from_buffer(array))
-    except _no_address:  # read-only, with gaps, or empty
+    try:
+        return address_of(buffer_of(array))
+    except no_buffer:
         return array.ctypes.data
 
 
@@ -176,8 +198,6 @@ class Batch:
         flat = (count,)  # stride 0 for one number that goes with all rows
         self.inputs = [Array(_address(a), a.strides[0] if a.shape == flat else 0) for a in arrays]
         if out is None:
-            # One block: the allocator keeps it for the next call. Of two it gives the memory back each time, and
-            # getting it anew costs more than the forces.
             self._rows = block = numpy.empty((width, count))
             first = _address(block)
             self.outputs = [Array(first + 8 * count * k, 8) for k in range(width)]

@@ -16,7 +16,7 @@ _size = ctypes.c_size_t
 
 
 class _Request(ctypes.Structure):
-    _fields_ = [("quantities", _name), ("golden", _name), ("random", _size), ("seed", ctypes.c_uint64),
+    _fields_ = [("quantities", _name), ("law", _name), ("onset", _name), ("golden", _name), ("random", _size), ("seed", ctypes.c_uint64),
                 ("only", _name), ("steady", ctypes.c_int), ("shear", _name), ("at_most", _size)]
 
 
@@ -28,7 +28,7 @@ _library.lubjoint_verify_answer_columns.restype = _name
 _library.lubjoint_verify_answer_columns.argtypes = [_name]
 _library.lubjoint_verify_count.argtypes = [_request, ctypes.POINTER(_size)]
 _library.lubjoint_verify_states.argtypes = [_request, ctypes.c_void_p]
-_library.lubjoint_verify_judge.argtypes = [_name, _request, ctypes.c_void_p, ctypes.c_double, ctypes.c_double,
+_library.lubjoint_verify_judge.argtypes = [_request, ctypes.c_void_p, ctypes.c_double, ctypes.c_double,
                                            ctypes.POINTER(ctypes.c_int),
                                            ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p)]
 _library.lubjoint_verify_free.argtypes = [ctypes.c_void_p]
@@ -42,14 +42,26 @@ def _check(status):
 Domain = Union[str, Iterable[str], None]
 
 
-def _asked(quantities, random, seed, domain=None, steady=False, shear=None, at_most=None):
+def _asked(quantities, law, onset, random, seed, domain, steady, shear, at_most):
     golden = os.path.join(os.path.dirname(__file__), "golden")
+    if law.startswith("finite_"):  # whose states are always the same
+        for name, given in (("random", random), ("seed", seed)):
+            if given is not None:
+                raise ValueError(f"{name} does nothing with law {law}; allowed without it")
     if domain is not None and not isinstance(domain, str):
         domain = ", ".join(domain)
     if at_most is not None and at_most < 1:
         raise ValueError(f"at_most is {at_most}; allowed is a number from 1 on")
-    return _Request(quantities.encode(), os.fsencode(golden), random, seed, domain.encode() if domain else None,
-                    bool(steady), shear.encode() if shear else None, at_most or 0)
+    for name, given in (("random", random), ("seed", seed)):
+        if given is not None and given < 0:
+            raise ValueError(f"{name} is {given}; allowed is a number from 0 on")
+
+    def text(given):
+        return given.encode() if given else None
+
+    return _Request(quantities.encode(), law.encode(), text(onset), os.fsencode(golden),
+                    1000 if random is None else random, 1 if seed is None else seed, text(domain), bool(steady),
+                    text(shear), at_most or 0)
 
 
 def _columns(function, quantities):
@@ -90,7 +102,8 @@ class Report(dict):
 
     @property
     def columns(self) -> list[dict[str, Any]]:
-        """Of coefficients, equilibrium and losses: each column with verdict, factor, or the column that it is."""
+        """Of coefficients, equilibrium and losses: each column with verdict, factor, or the column that it is; of others
+        none."""
         return self["columns"]
 
     @property
@@ -107,16 +120,17 @@ class Report(dict):
         printer.text(self.text)
 
 
-def states(quantities: str = "cartesian", random: int = 1000, seed: int = 1, domain: Domain = None, steady: bool = False,
-           shear: Optional[str] = None, at_most: Optional[int] = None) -> dict[str, NDArray[numpy.float64]]:
-    """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones.
-    Arguments as of verify().
+def states(quantities: str = "cartesian", random: Optional[int] = None, seed: Optional[int] = None,
+           domain: Domain = None, steady: bool = False, shear: Optional[str] = None, at_most: Optional[int] = None,
+           law: str = "auto", onset: Optional[str] = None) -> dict[str, NDArray[numpy.float64]]:
+    """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones;
+    of a film of finite length (law="finite_...") 120 of its own. Arguments as of verify().
 
     >>> list(states("coefficients", random=0))
     ['viscosity', 'length', 'radius', 'clearance', 'omega', 'load']
     """
     names = _columns(_library.lubjoint_verify_state_columns, quantities)
-    asked = _asked(quantities, random, seed, domain, steady, shear, at_most)
+    asked = _asked(quantities, law, onset, random, seed, domain, steady, shear, at_most)
     count = _size()
     _check(_library.lubjoint_verify_count(asked, count))
     table = numpy.empty((len(names), count.value))
@@ -158,25 +172,31 @@ def _answers(function, given, names, vectorized):
     return numpy.array([numpy.broadcast_to(column, count) for column in columns], dtype=numpy.float64)
 
 
-def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "cartesian", random: int = 1000,
-           seed: int = 1, vectorized: bool = True, domain: Domain = None, steady: bool = False, tolerance: float = 0.0,
-           unit: float = 1.0, shear: Optional[str] = None, at_most: Optional[int] = None) -> Report:
+def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "cartesian",
+           random: Optional[int] = None, seed: Optional[int] = None, vectorized: bool = True, domain: Domain = None,
+           steady: bool = False, tolerance: float = 0.0, unit: float = 1.0, shear: Optional[str] = None,
+           at_most: Optional[int] = None, onset: Optional[str] = None) -> Report:
     """Compares a function with a film law, and names its likely mistake if it disagrees.
 
     function   called with keyword arguments named as the states' columns (see states()), one array each; gives the
                columns of the answer, e.g. (fx, fy): the force on the journal; for coefficients, equilibrium and losses
                also a dictionary of any of them. One that fails with arrays, as math.sqrt does, is called with the
                numbers of one state at a time, which takes longer; vectorized=False does so from the start
-    law        a name of laws(), or "auto": find out which. Films of finite length are judged by the command
-               `lubjoint verify --law finite_...` alone
+    law        a name of laws(), or "auto": find out which; of "contact" lankarani_nikravesh, hunt_crossley, flores or
+               gonthier. finite_full, finite_half, finite_dynamic and finite_reynolds are judged by the solver of Reynolds'
+               equation, with the bound that it states; they are not among those that "auto" looks at
     quantities "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless", "coefficients",
-               "equilibrium" or "losses"
+               "equilibrium", "losses" or "contact"; of a film of finite length "cartesian" or "polar"
+    random     random states beside the golden and the designed ones, by default 1000
+    seed       of the random states, by default 1
     domain     what the function is meant for: "omega_sum > 0, eccentricity_ratio > 0" or a list of such conditions
     steady     steady rotation in a bearing at rest alone
-    tolerance  error over the answer's size that is right for a numerical function; 0: that of rounding
+    tolerance  error over the answer's size that is right for a numerical function; 0: that of rounding, of a film of
+               finite length 1e-3
     unit       of forces without dimensions, over S omega; Capone's is 0.25
     shear      of losses: the part of the gap that shears
     at_most    states in all, chosen to cover the regimes, for a slow function
+    onset      of finite_reynolds: where the film begins in a steady wedge, "free" (default) or "maximum_film"
 
     ValueError for an unknown law or quantities, an argument without effect, or answers of another shape. What a verdict
     rests on: oracle/verify/README.md.
@@ -189,16 +209,24 @@ def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "c
     >>> report = verify(place, "long_full", "equilibrium", random=20, vectorized=False)
     >>> bool(report), report.suspects[0]["mistakes"], [c["verdict"] for c in report.columns]
     (False, ['diameter_for_radius'], ['wrong'])
+    >>> def half_of_the_squeeze(viscosity, length, radius, clearance, eccentricity_ratio, squeeze_rate, omega,
+    ...                         attitude_rate):
+    ...     bearing = lubjoint.Bearing(viscosity, length, radius, clearance)
+    ...     slip_rate = eccentricity_ratio * (omega - 2 * attitude_rate)
+    ...     solved = lubjoint.oracle_force("finite_full", bearing, eccentricity_ratio, slip_rate, squeeze_rate / 2)
+    ...     return solved.radial, solved.tangential
+    >>> report = verify(half_of_the_squeeze, "finite_full", "polar", vectorized=False)
+    >>> report.verdict, report.suspects[0]["mistakes"]
+    ('disagrees', ['squeeze_rate_halved'])
     """
     names = _columns(_library.lubjoint_verify_answer_columns, quantities)
-    given = states(quantities, random, seed, domain, steady, shear, at_most)
+    given = states(quantities, random, seed, domain, steady, shear, at_most, law, onset)
     answers = _answers(function, given, names, vectorized)
     verdict = ctypes.c_int()
     text = ctypes.c_void_p()
     content = ctypes.c_void_p()
-    asked = _asked(quantities, random, seed, domain, steady, shear, at_most)
-    _check(_library.lubjoint_verify_judge(law.encode(), asked, answers.ctypes.data, tolerance, unit, verdict, text,
-                                          content))
+    asked = _asked(quantities, law, onset, random, seed, domain, steady, shear, at_most)
+    _check(_library.lubjoint_verify_judge(asked, answers.ctypes.data, tolerance, unit, verdict, text, content))
     try:
         return Report(json.loads(ctypes.string_at(content)), ctypes.string_at(text).decode())
     finally:

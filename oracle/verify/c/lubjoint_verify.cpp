@@ -1,38 +1,30 @@
 #include "oracle/verify/c/lubjoint_verify.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
+#include "lib/c/guarded.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
+#include "oracle/files/parallel.hpp"
+#include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
+#include "oracle/verify/states/finite_film.hpp"
 
 namespace {
 
 using namespace lubjoint::verify;
 
-thread_local char message[1024] = "";
+using lubjoint::c::copied;
 
-void say(const char* text) noexcept {
-  std::strncpy(message, text, sizeof message - 1);
-  message[sizeof message - 1] = '\0';
-}
+thread_local lubjoint::c::LastMessage message;
 
 template <class Work>
 int guarded(const Work& work) noexcept {
-  try {
-    work();
-    return 0;
-  } catch (const std::bad_alloc&) {
-    say("no memory");
-    return ENOMEM;
-  } catch (const std::exception& error) {
-    say(error.what());
-    return EINVAL;
-  }
+  return lubjoint::c::guarded(message, work);
 }
 
 Quantities named(const char* quantities) {
@@ -50,22 +42,51 @@ Conjunction declared(const lubjoint_verify_request* request) {
   return domain;
 }
 
+/// The film of finite length that is claimed, if it is one.
+std::optional<FiniteClaim> finite_claim(const lubjoint_verify_request* request) {
+  const std::string_view law = request->law != nullptr ? request->law : "auto";
+  const auto onset = request->onset != nullptr ? std::optional<std::string>(request->onset) : std::nullopt;
+  const lubjoint::oracle::FilmOnset begin = lubjoint::oracle::film_onset_of(law, onset, "onset");  // refuses
+  if (!lubjoint::is_compiled_law(law)) return std::nullopt;
+  return FiniteClaim{lubjoint::oracle::finite_film_of(law), begin};
+}
+
 std::vector<State> asked(const lubjoint_verify_request* request) {
   if (request == nullptr) throw std::invalid_argument("request is a null pointer");
-  if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
   const Quantities kind = named(request->quantities);
-  std::vector<State> states =
-      states_to_verify(kind, request->golden, request->random, request->seed, declared(request));
-  const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
   if (request->shear != nullptr && kind != Quantities::losses) {
     throw std::invalid_argument("shear does nothing with the quantities " + std::string(name_of(kind)) +
                                 "; allowed is it with losses");
   }
-  for (State& state : states) {
-    state.shear = shear;
-    if (shear != lubjoint::ShearExtent::film) state.golden.reset();  // certified are the films' own losses
+  std::vector<State> states;
+  if (finite_claim(request)) {
+    states = finite_states(kind, declared(request));
+  } else {
+    if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
+    states = states_to_verify(kind, request->golden, request->random, request->seed, declared(request));
+    const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
+    for (State& state : states) {
+      state.shear = shear;
+      if (shear != lubjoint::ShearExtent::film) state.golden.reset();  // certified are the films' own losses
+    }
   }
   return request->at_most > 0 ? covering_states(kind, std::move(states), request->at_most) : states;
+}
+
+/// What a judge says, for those who ask.
+template <class Result>
+void report(const Result& result, int* verdict, char** text, char** json) {
+  const std::string words = text ? text_report(result) : std::string();
+  const std::string object = json ? json_report(result).dump() : std::string();
+  char* const words_copy = text ? copied(words) : nullptr;
+  try {
+    if (json) *json = copied(object);
+  } catch (...) {
+    std::free(words_copy);
+    throw;
+  }
+  if (text) *text = words_copy;
+  *verdict = result.accepted() ? 0 : result.verdict == Verdict::undecided ? 2 : 1;
 }
 
 template <class Names>
@@ -82,16 +103,9 @@ const char* joined(std::map<Quantities, std::string>& kept, const char* quantiti
   return result;
 }
 
-char* copied(const std::string& text) {
-  char* copy = static_cast<char*>(std::malloc(text.size() + 1));
-  if (copy == nullptr) throw std::bad_alloc();
-  std::memcpy(copy, text.c_str(), text.size() + 1);
-  return copy;
-}
-
 }  // namespace
 
-const char* lubjoint_verify_message(void) { return message; }
+const char* lubjoint_verify_message(void) { return message.text(); }
 
 const char* lubjoint_verify_state_columns(const char* quantities) {
   thread_local std::map<Quantities, std::string> kept;
@@ -124,10 +138,9 @@ int lubjoint_verify_states(const lubjoint_verify_request* request, double* out) 
   });
 }
 
-int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request, const double* answers,
-                          double tolerance, double unit, int* verdict, char** text, char** json) {
+int lubjoint_verify_judge(const lubjoint_verify_request* request, const double* answers, double tolerance, double unit,
+                          int* verdict, char** text, char** json) {
   return guarded([&] {
-    if (law == nullptr) throw std::invalid_argument("law is a null pointer");
     if (answers == nullptr) throw std::invalid_argument("answers is a null pointer");
     if (verdict == nullptr) throw std::invalid_argument("verdict is a null pointer");
     if (!(tolerance >= 0 && tolerance <= 0.1)) {
@@ -147,13 +160,16 @@ int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* reques
     }
     Answers given = answers_from_numbers(kind, std::move(values));
     scale(given, unit);
-    const Verification result =
-        verify_answers(kind, law, std::move(states), std::move(given), {tolerance, words(declared(request))});
-    const std::string words = text ? text_report(result) : std::string();
-    const std::string object = json ? json_report(result).dump() : std::string();
-    *verdict = result.accepted() ? 0 : result.verdict == Verdict::undecided ? 2 : 1;
-    if (text) *text = copied(words);
-    if (json) *json = copied(object);
+    const std::string domain = words(declared(request));
+    if (const auto claim = finite_claim(request)) {
+      report(verify_finite_film(*claim, kind, std::move(states), std::move(given), tolerance,
+                                lubjoint::reports::available_cores(), domain),
+             verdict, text, json);
+    } else {
+      report(verify_answers(kind, request->law != nullptr ? request->law : "auto", std::move(states), std::move(given),
+                            {tolerance, domain}),
+             verdict, text, json);
+    }
   });
 }
 

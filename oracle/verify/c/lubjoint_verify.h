@@ -18,9 +18,13 @@ LUBJOINT_VERIFY_API const char* lubjoint_verify_message(void);
 LUBJOINT_VERIFY_API const char* lubjoint_verify_state_columns(const char* quantities);
 LUBJOINT_VERIFY_API const char* lubjoint_verify_answer_columns(const char* quantities);
 
-/* What is asked: the golden states, the designed ones, and `random` others. */
+/* What is asked: the golden states, the designed ones, and `random` others; of a film of finite length (law finite_full,
+ * finite_half, finite_dynamic or finite_reynolds; quantities cartesian or polar) 120 states of its own, so that golden,
+ * random and seed are not read. */
 typedef struct {
   const char* quantities;
+  const char* law;    /* that is claimed; null or "auto": which one is to be found out, of those of no finite length */
+  const char* onset;  /* of finite_reynolds: "free" or "maximum_film"; null: free */
   const char* golden; /* folder of the golden data */
   size_t random;
   uint64_t seed;
@@ -36,14 +40,13 @@ LUBJOINT_VERIFY_API int lubjoint_verify_count(const lubjoint_verify_request* req
 /* The states, column after column: out has room for count times the number of columns. */
 LUBJOINT_VERIFY_API int lubjoint_verify_states(const lubjoint_verify_request* request, double* out);
 
-/* Judges answers, given column after column. law: a name, or "auto". tolerance: error over the answer's size that is
- * right for a numerical program, 0 for that of rounding. unit: of forces without dimensions, over S omega; otherwise 1.
+/* Judges answers, given column after column. tolerance: error over the answer's size that is right for a numerical
+ * program; 0: that of rounding, of films of finite length 1e-3. unit: of forces without dimensions, over S omega; otherwise 1.
  * A table's column (coefficients, equilibrium, losses) of which no number is finite counts as not given.
  * verdict: 0 agrees, 1 disagrees, 2 could not be judged. text and json: reports, to be given back to
  * lubjoint_verify_free; either may be null. */
-LUBJOINT_VERIFY_API int lubjoint_verify_judge(const char* law, const lubjoint_verify_request* request,
-                                              const double* answers, double tolerance, double unit, int* verdict,
-                                              char** text, char** json);
+LUBJOINT_VERIFY_API int lubjoint_verify_judge(const lubjoint_verify_request* request, const double* answers,
+                                              double tolerance, double unit, int* verdict, char** text, char** json);
 LUBJOINT_VERIFY_API void lubjoint_verify_free(char* report);
 
 #ifdef __cplusplus

@@ -198,12 +198,18 @@ std::optional<FiniteAnswer> finite_answer(const FiniteClaim& claim, Quantities q
   return answer;
 }
 
+PolarMotion polar_motion(Quantities quantities, const State& state) {
+  FiniteWork w = inputs_of({}, quantities, state);
+  make_rates(w);
+  const bool at_rest = quantities == Quantities::polar || w.omega_bearing == 0;
+  return {w.epsilon, w.wedge + w.whirl, w.squeeze, w.whirl, w.wedge != 0 && at_rest, w.radial};
+}
+
 bool is_on_finite_jump(const FiniteClaim& claim, Quantities quantities, const State& state) {
   if (claim.film != FiniteFilm::finite_half) return false;
-  FiniteWork w = inputs_of(claim, quantities, state);
-  make_rates(w);
+  const PolarMotion motion = polar_motion(quantities, state);
   constexpr double rounding = 1e-9;
-  return std::abs(w.wedge + w.whirl) <= rounding * std::abs(w.squeeze);
+  return std::abs(motion.slip) <= rounding * std::abs(motion.squeeze);
 }
 
 std::string described_finite_gallery() {

@@ -64,6 +64,17 @@ std::optional<FiniteAnswer> finite_answer(const FiniteClaim& claim, Quantities q
                                           const std::vector<const FiniteMistake*>& mistakes,
                                           const oracle::FiniteLengthOptions& options);
 
+/// A state's motion in the journal's own frame, as a right program finds it.
+struct PolarMotion {
+  double ratio;            ///< ε
+  double slip;             ///< a [1/s]
+  double squeeze;          ///< b [1/s]
+  double whirl;            ///< the part of a that comes from the line of centres [1/s]
+  bool turns;              ///< is there a wedge, and the bearing at rest?
+  Vector2<double> radial;  ///< in the answer's axes
+};
+PolarMotion polar_motion(Quantities quantities, const State& state);
+
 /// Is a state of a half film on its jump, at a = 0, so that rounding decides which side is meant?
 bool is_on_finite_jump(const FiniteClaim& claim, Quantities quantities, const State& state);
 

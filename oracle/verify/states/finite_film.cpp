@@ -99,6 +99,51 @@ std::optional<double> common_factor(const FiniteVerification& v) {
   return *middle;
 }
 
+/// The kind of a state's motion, as its terms are told apart; none at rest.
+std::optional<MotionKind> kind_of(const PolarMotion& m) {
+  constexpr double rounding = 1e-9;
+  if (m.whirl == 0 && m.squeeze == 0) return m.turns ? std::optional(MotionKind::wedge) : std::nullopt;
+  if (std::abs(m.slip) <= rounding * std::abs(m.squeeze)) {
+    return m.squeeze > 0 ? MotionKind::closing : MotionKind::opening;
+  }
+  return MotionKind::mixed;
+}
+
+/// Radial and tangential component, each in one kind of motion, at the tolerance of the comparison.
+std::vector<Term> terms_of_finite(const FiniteVerification& v) {
+  TermNumbers numbers;
+  for (std::size_t i = 0; i < v.states.size(); ++i) {
+    const FiniteComparison& c = v.comparisons[i];
+    if (!c.is_decided() || c.outcome == Outcome::not_a_number) continue;
+    const PolarMotion motion = polar_motion(v.quantities, v.states[i]);
+    const auto kind = kind_of(motion);
+    if (!kind) continue;
+    const double size = c.expected.norm();
+    const Vector2<double> given(v.answers.values[i][0], v.answers.values[i][1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector2<double> axis = k == 0 ? motion.radial : perpendicular(motion.radial);
+      numbers[k][static_cast<std::size_t>(*kind)].push_back(
+          {dot(given, axis), dot(c.expected, axis), (v.tolerance + c.bound) * size, size, &v.states[i], motion.ratio,
+           1 - motion.ratio, std::abs(motion.slip) + std::abs(motion.squeeze), 0, 0});
+    }
+  }
+  return terms_of(numbers, false);
+}
+
+/// Where the answers are right, wrong, and no numbers.
+void locate(FiniteVerification& v) {
+  std::vector<int> right, wrong, none;
+  for (const FiniteComparison& c : v.comparisons) {
+    const bool is_none = c.outcome == Outcome::not_a_number;
+    right.push_back(!c.is_decided() ? -1 : c.outcome == Outcome::right);
+    wrong.push_back(!c.is_decided() || is_none ? -1 : c.outcome == Outcome::wrong);
+    none.push_back(!c.is_decided() ? -1 : is_none);
+  }
+  v.right_where = domain_of(v.quantities, v.states, right);
+  v.wrong_where = domain_of(v.quantities, v.states, wrong);
+  v.not_a_number_where = domain_of(v.quantities, v.states, none);
+}
+
 std::vector<FiniteClaim> other_claims(const FiniteClaim& claim) {
   std::vector<FiniteClaim> list;
   for (const FiniteFilm film : {FiniteFilm::finite_full, FiniteFilm::finite_half, FiniteFilm::finite_dynamic}) {
@@ -112,9 +157,17 @@ std::vector<FiniteClaim> other_claims(const FiniteClaim& claim) {
   return list;
 }
 
+/// Every film and, where there is none, every law whose forces all answers are.
+void find_other_films(FiniteVerification& v, unsigned threads) {
+  for (const FiniteClaim& other : other_claims(v.claim)) {
+    if (all_right(comparisons_of(other, v, threads))) v.others.push_back(other);
+  }
+  if (v.others.empty()) v.laws = laws_of_answers(v);
+}
+
 }  // namespace
 
-std::vector<State> finite_states(Quantities quantities) {
+std::vector<State> finite_states(Quantities quantities, const Conjunction& domain) {
   const bool polar = quantities == Quantities::polar;
   if (!polar && quantities != Quantities::cartesian) {
     throw std::invalid_argument("--quantities " + std::string(name_of(quantities)) +
@@ -150,6 +203,11 @@ std::vector<State> finite_states(Quantities quantities) {
       }
     }
   }
+  std::erase_if(states, [&domain](const State& state) { return !holds(domain, state); });
+  if (states.empty()) {
+    throw std::invalid_argument("no state of a film of finite length has " + words(domain) +
+                                "; allowed is a domain that holds one of them");
+  }
   return states;
 }
 
@@ -166,11 +224,12 @@ double FiniteVerification::worst_error() const {
 }
 
 FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quantities, std::vector<State> states,
-                                      Answers answers, double tolerance, unsigned threads) {
+                                      Answers answers, double tolerance, unsigned threads, std::string domain) {
   FiniteVerification v;
   v.claim = claim;
   v.quantities = quantities;
   v.tolerance = tolerance > 0 ? tolerance : finite_tolerance;
+  v.domain = std::move(domain);
   v.states = std::move(states);
   v.answers = std::move(answers);
   v.comparisons = comparisons_of(claim, v, threads);
@@ -184,17 +243,16 @@ FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quant
   if (none == 0 && v.count(Outcome::wrong) == 0) return v;  // most of them undecided
   v.verdict = Verdict::disagrees;
   v.suspicions = finite_suspicions(v);
-  if (none > 0) return v;
-  v.factor = common_factor(v);
-  if (v.factor || !v.suspicions.empty()) return v;
-  for (const FiniteClaim& other : other_claims(claim)) {
-    if (!all_right(comparisons_of(other, v, threads))) continue;
-    v.other = other;
-    return v;
+  if (none == 0) {
+    v.factor = common_factor(v);
+    if (!v.factor && v.suspicions.empty()) find_other_films(v, threads);
   }
-  v.law = law_of_answers(v);
+  v.terms = terms_of_finite(v);
+  locate(v);
   constexpr double one_digit = 0.1;
-  if (!v.law && v.worst_error() <= one_digit) v.verdict = Verdict::agrees_to_digits;
+  const bool explained = v.factor || !v.suspicions.empty() || !v.others.empty() || !v.laws.empty();
+  if (none == 0 && !explained && v.worst_error() <= one_digit) v.verdict = Verdict::agrees_to_digits;
+  if (v.verdict == Verdict::agrees_to_digits) v.right_where.clear();
   return v;
 }
 

@@ -23,8 +23,9 @@ inline constexpr std::array finite_shapes = {0.25, 0.5, 1.0, 2.0};
 /// The states that a program of finite length is asked about: bearings of L/D ¼, ½, 1 and 2, ε from 0.1 to 0.9 in all
 /// directions, each with steady rotation of either sign, closing and opening squeeze alone, and both with rotation.
 /// @param quantities  cartesian or polar
-/// @throws std::invalid_argument for other quantities
-std::vector<State> finite_states(Quantities quantities);
+/// @param domain  conditions that all of them fulfil
+/// @throws std::invalid_argument for other quantities, or if no state is left
+std::vector<State> finite_states(Quantities quantities, const Conjunction& domain = {});
 
 /// How one answer came out.
 struct FiniteComparison {
@@ -53,11 +54,14 @@ struct FiniteVerification {
   std::vector<State> states;
   Answers answers;
   std::vector<FiniteComparison> comparisons;
+  std::string domain = {};  ///< the declared domain in words, for the report
   Verdict verdict = Verdict::undecided;
   std::optional<double> factor;             ///< all answers are so many times the right ones
   std::vector<FiniteSuspicion> suspicions;  ///< the likeliest first; what predicts the same answers stands beside it
-  std::optional<FiniteClaim> other;         ///< all answers are right for another film
-  std::optional<std::string> law;           ///< all answers are right for a law
+  std::vector<FiniteClaim> others;          ///< other films for which all answers are right
+  std::vector<std::string> laws;            ///< laws for which they are
+  std::vector<Term> terms;                  ///< where the answers are not simply right
+  Domain right_where, wrong_where, not_a_number_where;
 
   std::size_t count(Outcome outcome) const;
   double worst_error() const;  ///< of the numbers that are decided
@@ -67,11 +71,12 @@ struct FiniteVerification {
 /// Judges answers. A state is undecided where the solver's own bound is above the tolerance, and left out where it lies
 /// on the jump of finite_half, at a = 0. Answers agree if none is wrong and more are right than are undecided. If
 /// answers are wrong, mistakes of the gallery are tried, alone and in pairs, whether one factor makes all answers
-/// right, whether another film does, and whether a law does.
+/// right, whether other films do, and whether laws do.
 /// @param tolerance  error over |F| that is right; 0: finite_tolerance
 /// @param threads  no result depends on them
+/// @param domain  the declared domain in words, for the report
 FiniteVerification verify_finite_film(const FiniteClaim& claim, Quantities quantities, std::vector<State> states,
-                                      Answers answers, double tolerance, unsigned threads);
+                                      Answers answers, double tolerance, unsigned threads, std::string domain = {});
 
 std::string text_report(const FiniteVerification& verification);
 nlohmann::ordered_json json_report(const FiniteVerification& verification);

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "oracle/reynolds/film_onset.hpp"
+#include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
 
 namespace lubjoint::verify {
 
 namespace {
-
-using oracle::FilmOnset;
 
 std::string names_of(const FiniteMistakes& mistakes) {
   std::string text;
@@ -48,6 +48,25 @@ nlohmann::ordered_json suspicions_json(const std::vector<FiniteSuspicion>& suspi
   return list;
 }
 
+/// "one", "one and two", "one, two and three".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+std::vector<std::string> words_of(const std::vector<FiniteClaim>& claims) {
+  std::vector<std::string> list;
+  for (const FiniteClaim& claim : claims) list.push_back(claim.words());
+  return list;
+}
+
+nlohmann::ordered_json first_or_null(const std::vector<std::string>& names) {
+  return names.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(names.front());
+}
+
 std::string next_step(const FiniteVerification& v) {
   if (v.verdict == Verdict::agrees) return "Nothing: every state that the solver decides is right.";
   const std::string named = v.suspicions.empty() ? std::string() : described(v.suspicions.front());
@@ -55,8 +74,11 @@ std::string next_step(const FiniteVerification& v) {
     return fmt::format("All answers are {:.6g} times the right ones.{}", *v.factor, named.empty() ? "" : " " + named);
   }
   if (!named.empty()) return named;
-  if (v.other) return "The answers are those of " + v.other->words() + ".";
-  if (v.law) return "The answers are those of the law " + *v.law + ", not of the film of the bearing's length.";
+  if (!v.others.empty()) return "The answers are those of " + listed(words_of(v.others)) + ".";
+  if (!v.laws.empty()) {
+    return fmt::format("The answers are those of the law{} {}, not of the film of the bearing's length.",
+                       v.laws.size() > 1 ? "s" : "", listed(v.laws));
+  }
   if (v.verdict == Verdict::agrees_to_digits) {
     return fmt::format("Right to {:.1g} of |F|: if it is meant to be numerical, say --tolerance {:.0e}.",
                        v.worst_error(), std::pow(10.0, std::ceil(std::log10(v.worst_error()))));
@@ -91,13 +113,17 @@ std::string verdict_words(const FiniteVerification& v) {
   return "could not be judged";
 }
 
+std::string headline_of(const FiniteVerification& v) {
+  const std::size_t failing = v.count(Outcome::wrong) + v.count(Outcome::not_a_number);
+  return fmt::format("{}: {}{}, {} states, {} failing, {} undecided; right is an error of {:.0e} of |F|",
+                     verdict_words(v), v.claim.words(), v.domain.empty() ? "" : " where " + v.domain,
+                     v.states.size() - v.count(Outcome::left_out), failing, v.count(Outcome::undecided), v.tolerance);
+}
+
 }  // namespace
 
 std::string text_report(const FiniteVerification& v) {
-  const std::size_t failing = v.count(Outcome::wrong) + v.count(Outcome::not_a_number);
-  std::string text = fmt::format("{}: {}, {} states, {} failing, {} undecided; right is an error of {:.0e} of |F|\n\n",
-                                 verdict_words(v), v.claim.words(), v.states.size() - v.count(Outcome::left_out),
-                                 failing, v.count(Outcome::undecided), v.tolerance);
+  std::string text = headline_of(v) + "\n\n";
   text += "L/D     states  failing  undecided  error, median  error, worst\n";
   for (const double shape : finite_shapes) {
     std::vector<double> errors;
@@ -133,25 +159,38 @@ std::string text_report(const FiniteVerification& v) {
                           v.answers.values[i][k], c.bound);
     }
   }
+  text += domains_text(v.right_where, v.wrong_where, v.not_a_number_where);
+  if (!v.terms.empty()) text += terms_text(v.terms);
   if (!v.suspicions.empty()) text += suspicions_text(v.suspicions);
   return text + "\nNext: " + next_step(v) + "\n";
 }
 
 nlohmann::ordered_json json_report(const FiniteVerification& v) {
-  constexpr std::array names = {"agrees", "agrees_to_digits", "disagrees", "undecided"};
   const double worst = v.worst_error();
-  return {{"verdict", names[static_cast<std::size_t>(v.verdict)]},
+  return {{"verdict", verdict_name(v.verdict)},
+          {"message", headline_of(v)},
+          {"accepted", v.accepted()},
           {"law", oracle::name_of(v.claim.film)},
-          {"onset", v.claim.onset == FilmOnset::free ? "free" : "maximum_film"},
+          {"onset", oracle::name_of(v.claim.onset)},
+          {"quantities", name_of(v.quantities)},
+          {"domain", v.domain},
           {"digits", worst > 0 ? nlohmann::ordered_json(-std::log10(worst)) : nlohmann::ordered_json(nullptr)},
           {"tolerance", v.tolerance},
           {"states", v.states.size() - v.count(Outcome::left_out)},
           {"failing", v.count(Outcome::wrong) + v.count(Outcome::not_a_number)},
           {"undecided", v.count(Outcome::undecided)},
           {"left_out", v.count(Outcome::left_out)},
+          {"not_numbers", v.count(Outcome::not_a_number)},
+          {"right_where", domain_json(v.right_where)},
+          {"wrong_where", domain_json(v.wrong_where)},
+          {"not_a_number_where", domain_json(v.not_a_number_where)},
+          {"terms", terms_json(v.terms)},
+          {"columns", nlohmann::ordered_json::array()},
           {"factor", v.factor ? nlohmann::ordered_json(*v.factor) : nlohmann::ordered_json(nullptr)},
-          {"other", v.other ? nlohmann::ordered_json(v.other->words()) : nlohmann::ordered_json(nullptr)},
-          {"law_of_answers", v.law ? nlohmann::ordered_json(*v.law) : nlohmann::ordered_json(nullptr)},
+          {"other", first_or_null(words_of(v.others))},
+          {"other_films", words_of(v.others)},
+          {"law_of_answers", first_or_null(v.laws)},
+          {"laws_of_answers", v.laws},
           {"suspects", suspicions_json(v.suspicions)},
           {"next", next_step(v)}};
 }

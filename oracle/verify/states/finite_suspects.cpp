@@ -94,7 +94,8 @@ std::vector<FiniteSuspicion> finite_suspicions(const FiniteVerification& v) {
   return likeliest_first();
 }
 
-std::optional<std::string> law_of_answers(const FiniteVerification& v) {
+std::vector<std::string> laws_of_answers(const FiniteVerification& v) {
+  std::vector<std::string> names;
   for (const std::string_view name : law_names) {
     const Law law = law_of(name);
     bool all = true;
@@ -105,9 +106,9 @@ std::optional<std::string> law_of_answers(const FiniteVerification& v) {
       const Vector2<double> given(v.answers.values[i][0], v.answers.values[i][1]);
       all = given.allFinite() && (given - force).norm() <= v.tolerance * force.norm();
     }
-    if (all) return std::string(name);
+    if (all) names.emplace_back(name);
   }
-  return {};
+  return names;
 }
 
 }  // namespace lubjoint::verify

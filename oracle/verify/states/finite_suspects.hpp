@@ -1,7 +1,6 @@
 /// What wrong answers of a program of finite length look like.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,8 @@ namespace lubjoint::verify {
 /// first, and among equals in the gallery's order.
 std::vector<FiniteSuspicion> finite_suspicions(const FiniteVerification& verification);
 
-/// The law of a short or a long bearing whose forces all answers are.
-std::optional<std::string> law_of_answers(const FiniteVerification& verification);
+/// The laws of a short or a long bearing whose forces all answers are: more than one where they don't differ at the
+/// states.
+std::vector<std::string> laws_of_answers(const FiniteVerification& verification);
 
 }  // namespace lubjoint::verify

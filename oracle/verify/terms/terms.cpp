@@ -12,15 +12,7 @@ namespace lubjoint::verify {
 
 namespace {
 
-/// One state's component as given and as it should be.
-struct Number {
-  double given, expected, tolerance, force;
-  const State* state;
-  double ratio, gap, rate;  ///< ε, 1 − ε, |a| + |b|
-  double wedge, squeeze;    ///< the parts of what is expected, in laws that have such parts
-
-  double error() const { return std::abs(given - expected); }
-};
+using Number = TermNumber;
 
 std::optional<MotionKind> kind_of(const Solution& s) {
   if (s.b == 0 && s.attitude_part == 0 && s.omega_bearing == 0 && s.a != 0) return MotionKind::wedge;
@@ -166,7 +158,8 @@ std::string ratio_words(const Fit& fit, double sign, double precision) {
   return text;
 }
 
-void judge_ratio(Term& term, const std::vector<Number>& all, double precision) {
+/// @param powers  are powers of ε and of the inputs looked for?
+void judge_ratio(Term& term, const std::vector<Number>& all, double precision, bool powers) {
   // Thin films and the neighbourhood of the centre lose digits; they have their own lines elsewhere.
   std::vector<Number> numbers;
   double noise = 0;
@@ -194,7 +187,7 @@ void judge_ratio(Term& term, const std::vector<Number>& all, double precision) {
   const double sign = quantile(signs, 0.02) == quantile(signs, 0.98) ? signs.front() : 0;
   if (sign == 0 || std::ranges::any_of(ratios, [](double x) { return x == 0; })) return;
   constexpr double fewest_digits = 1e-3;  // below three digits too many powers fit
-  const auto found = precision <= fewest_digits ? best_fit(numbers, tolerated) : std::nullopt;
+  const auto found = powers && precision <= fewest_digits ? best_fit(numbers, tolerated) : std::nullopt;
   if (found) {
     term.factor_text = ratio_words(*found, sign, tolerated);
     term.verdict = term.factor_text.empty() ? TermVerdict::function : TermVerdict::factor;
@@ -216,7 +209,8 @@ void judge_ratio(Term& term, const std::vector<Number>& all, double precision) {
   }
 }
 
-Term judge_term_at(Component component, MotionKind kind, const std::vector<Number>& numbers, double precision) {
+Term judge_term_at(Component component, MotionKind kind, const std::vector<Number>& numbers, double precision,
+                   bool powers) {
   Term term{component, kind};
   if (numbers.size() < 4) return term;
   std::vector<double> digits;
@@ -241,7 +235,7 @@ Term judge_term_at(Component component, MotionKind kind, const std::vector<Numbe
     term.verdict = TermVerdict::absent;
     term.factor = 0;
   } else if (!expected_zero) {
-    judge_ratio(term, numbers, precision);
+    judge_ratio(term, numbers, precision, powers);
   }
   return term;
 }
@@ -269,16 +263,16 @@ std::optional<Term> judge_part(const Term& whole, const std::vector<Number>& num
     term.factor = 0;
     return term;
   }
-  judge_ratio(term, left, 0);
+  judge_ratio(term, left, 0, true);
   if (term.verdict == TermVerdict::factor || term.verdict == TermVerdict::function) return term;
   return {};
 }
 
 /// At the precision that the program has there: a numerical program's terms are right to some digits.
-Term judge_term(Component component, MotionKind kind, const std::vector<Number>& numbers) {
+Term judge_term(Component component, MotionKind kind, const std::vector<Number>& numbers, bool powers) {
   Term term;
   for (const double precision : {0.0, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
-    term = judge_term_at(component, kind, numbers, precision);
+    term = judge_term_at(component, kind, numbers, precision, powers);
     term.precision = precision;
     if (term.verdict != TermVerdict::wrong) break;
   }
@@ -338,7 +332,7 @@ std::string Term::words() const {
 std::vector<Term> terms_of(const Judgement& judgement, const std::vector<State>& states, const Answers& answers) {
   const Quantities q = judgement.quantities;
   if (!is_film_force(q)) return {};
-  std::array<std::array<std::vector<Number>, 4>, 2> numbers;
+  TermNumbers numbers;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Comparison& c = judgement.comparisons[i];
     if (c.left_out() || c.outcome == Outcome::not_a_number || judgement.references[i].size[0] == 0) continue;
@@ -365,11 +359,15 @@ std::vector<Term> terms_of(const Judgement& judgement, const std::vector<State>&
            static_cast<double>(s.scale * (k == 0 ? s.radial_squeeze : s.tangential_squeeze))});
     }
   }
+  return terms_of(numbers, true);
+}
+
+std::vector<Term> terms_of(const TermNumbers& numbers, bool powers) {
   std::vector<Term> terms;
   for (const Component component : {Component::radial, Component::tangential}) {
     for (const MotionKind kind : {MotionKind::wedge, MotionKind::closing, MotionKind::opening, MotionKind::mixed}) {
-      terms.push_back(
-          judge_term(component, kind, numbers[static_cast<std::size_t>(component)][static_cast<std::size_t>(kind)]));
+      terms.push_back(judge_term(component, kind,
+                                 numbers[static_cast<std::size_t>(component)][static_cast<std::size_t>(kind)], powers));
     }
   }
   return terms;

@@ -1,6 +1,7 @@
 /// Which term of a force is wrong, and how: radial and tangential component, each in one kind of motion.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,6 +39,22 @@ struct Term {
   bool is_right() const { return verdict == TermVerdict::right; }
   std::string words() const;  ///< "is 1/pi times what it should be"
 };
+
+/// One state's component as given and as it should be.
+struct TermNumber {
+  double given, expected, tolerance, force;
+  const State* state;
+  double ratio, gap, rate;  ///< ε, 1 − ε, |a| + |b|
+  double wedge, squeeze;    ///< the parts of what is expected, in laws that have such parts; else both are zero
+
+  double error() const { return given > expected ? given - expected : expected - given; }
+};
+/// By component and kind of motion.
+using TermNumbers = std::array<std::array<std::vector<TermNumber>, 4>, 2>;
+
+/// All terms of answers that have these numbers, in the order of the enumerations.
+/// @param powers  are powers of ε and of the inputs looked for? Below three digits too many of them fit.
+std::vector<Term> terms_of(const TermNumbers& numbers, bool powers);
 
 /// All terms, in the order of the enumerations; none for quantities without a force of the film alone.
 /// A term is right within each state's own tolerance or, in a numerical program, to at least two digits (`digits`).
