@@ -4,10 +4,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lubjoint/scene/scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
-#include "oracle/laws/scene_run.hpp"
+#include "oracle/laws/scene_settings.hpp"
+#include "oracle/results/late_extremes.hpp"
 
 namespace lubjoint::cli {
 

@@ -4,6 +4,7 @@
 #include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
+#include "oracle/laws/scene_run.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/run_plots.hpp"

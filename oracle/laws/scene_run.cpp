@@ -1,14 +1,9 @@
 #include "oracle/laws/scene_run.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
-#include "lubjoint/film/compiled_laws.hpp"
-#include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/spatial_scene_file.hpp"
-#include "oracle/files/files.hpp"
-#include "oracle/files/require.hpp"
 #include "oracle/laws/model_error.hpp"
 #include "oracle/results/film_resolution.hpp"
 #include "oracle/results/journal_report.hpp"
@@ -53,49 +48,12 @@ RunOfScene outcome_of(const SceneType& scene, const Run& run, const std::optiona
 
 }  // namespace
 
-void SceneSettings::require() const {
-  if (law) require_name(prefix + "law", *law, named_film_laws);
-  if (integrator) require_name(prefix + "integrator", *integrator, integrator_names());
-  if (rtol) require_option(prefix + "rtol", *rtol, *rtol >= 1e-14 && *rtol < 1, "a number from 1e-14 to below 1");
-  if (duration) require_option(prefix + "duration", *duration, *duration > 0, "a finite number of seconds above 0");
-}
-
-void SceneSettings::change(Scene& scene, SceneFilms& films) const {
-  if (law) {
-    const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
-    if (std::none_of(scene.joints.begin(), scene.joints.end(), has_film)) {
-      throw std::invalid_argument(prefix + "law has no effect on \"" + scene.name +
-                                  "\", which has no joint with a film; allowed without it");
-    }
-    for (SceneJoint& joint : scene.joints) {
-      if (joint.film == no_film) continue;
-      joint.film = *law;
-      with_film_law<NamedFilmLaws>(*law, [&]<class Law>() {
-        if constexpr (ShapedFilmLaw<Law>) require_shape<Law>(joint.length / (2 * joint.journal_radius));
-      });
-    }
-  }
-  if (integrator) scene.integrator = *integrator;
-  if (rtol) scene.run.relative_tolerance = scene.run.absolute_tolerance = *rtol;
-  if (duration) {
-    scene.run.duration = *duration;
-    require_option(prefix + "duration", *duration, *duration / scene.run.output_interval <= 1e7,
-                   "at most ten million output intervals of the scene");
-  }
-  films.provide(scene);
-}
-
 void SceneSettings::change(SpatialScene& scene, SceneFilms& films) const {
   Scene joints = joints_alone(scene);  // what settings say of joints and runs, they say by the plane's rules
   change(joints, films);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) scene.joints[j].plane = joints.joints[j];
   scene.integrator = joints.integrator;
   scene.run = joints.run;
-}
-
-void require_after(const Scene& scene, double after, const std::string& name) {
-  require_option(name, after, after >= 0 && after < scene.run.duration,
-                 "a time from 0 to below the duration, " + number(scene.run.duration) + " s");
 }
 
 SceneToRun scene_to_run(const SceneFile& file, const SceneSettings& settings, SceneFilms& films) {

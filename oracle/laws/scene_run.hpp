@@ -10,28 +10,10 @@
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
-#include "oracle/laws/scene_films.hpp"
+#include "oracle/laws/scene_settings.hpp"
 #include "oracle/results/late_extremes.hpp"
 
 namespace lubjoint::reports {
-
-/// What is said of a run beside its scene's file.
-struct SceneSettings {
-  std::optional<std::string> law;         ///< in place of the scene's, in all joints with a film
-  std::optional<std::string> integrator;  ///< likewise
-  std::optional<double> rtol;             ///< relative tolerance; also the absolute one, in clearances
-  std::optional<double> duration;         ///< [s]
-  std::string prefix = "--";              ///< of their names in messages
-
-  /// Refuses names and numbers that no scene takes. @throws std::invalid_argument
-  void require() const;
-  /// Changes a scene, and gives compiled laws their tables. @throws std::invalid_argument
-  void change(Scene& scene, SceneFilms& films) const;
-  void change(SpatialScene& scene, SceneFilms& films) const;
-};
-
-/// From when on extremes of a scene are wanted. @throws std::invalid_argument unless from 0 to below its duration
-void require_after(const Scene& scene, double after, const std::string& name);
 
 /// A scene of either kind.
 using SceneToRun = std::variant<Scene, SpatialScene>;
