@@ -79,10 +79,14 @@ TEST_CASE("losses are the same for an observer who turns, and mirrored in a mirr
   for_each_film_law([]<class Law>() {
     INFO(Law::name);
     rc::prop(of_law<Law>("a turned frame turns the force alone"), [] {
-      const Motion m = any_motion();
+      // Spins with few binary digits: their sums are exact, and so is what the torques see, the bodies' difference.
+      const auto short_number = [](double x) { return std::round(0x1p20 * x) / 0x1p20; };
+      Motion m = any_motion();
+      m.bearing_spin = short_number(m.bearing_spin);
+      m.journal_spin = short_number(m.journal_spin);
       const FilmLosses<double> here = losses_of_motion<Law>(m);
       const double turn = *generate::angle();
-      const double spin = *generate::uniform(-100, 100);  // of the observer: u does not see it
+      const double spin = short_number(*generate::uniform(-100, 100));  // of the observer: u does not see it
       const Motion there{FilmState<double>(generate::turned(m.film.eccentricity, turn),
                                            generate::turned(m.film.velocity, turn), m.film.q),
                          m.bearing_spin + spin, m.journal_spin + spin};

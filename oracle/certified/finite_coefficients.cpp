@@ -6,7 +6,6 @@
 
 #include "oracle/certified/finite_force.hpp"
 #include "oracle/certified/finite_rows.hpp"
-#include "oracle/files/csv_table.hpp"
 
 namespace lubjoint::certified {
 
@@ -16,10 +15,11 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using oracle::FiniteFilm;
 
-constexpr const char* header =
+constexpr FiniteFile file{
+    finite_coefficients_file,
     "film,length_over_diameter,eccentricity_ratio,sommerfeld,load,load_uncertainty,attitude,attitude_uncertainty,"
-    "kxx,kxy,kyx,kyy,stiffness_uncertainty,cxx,cxy,cyx,cyy,damping_uncertainty";
-constexpr int inputs = 3;
+    "kxx,kxy,kyx,kyy,stiffness_uncertainty,cxx,cxy,cyx,cyy,damping_uncertainty",
+    3};
 
 /// A vector, or a column of a matrix, with a bound of its error.
 struct Bounded {
@@ -135,34 +135,13 @@ FiniteSteadyFilm finite_steady_film(const FiniteSteadyState& at) {
 }
 
 std::string finite_coefficients_csv(const GoldenRun& run) {
-  const std::vector<FiniteSteadyState> states = finite_steady_states();
-  std::vector<std::string> rows(states.size());
-  in_parallel(run, rows.size(), [&](std::size_t i) { rows[i] = row_of(states[i], finite_steady_film(states[i])); });
-  std::string text = std::string(header) + "\n";
-  for (const std::string& row : rows) text += row + "\n";
-  return text;
+  return finite_csv(file, finite_steady_states(), run,
+                    [](const FiniteSteadyState& at) { return row_of(at, finite_steady_film(at)); });
 }
 
 std::vector<reports::GoldenDifference> check_finite_coefficients(const std::string& text, const GoldenRun& run) {
-  const std::vector<FiniteSteadyState> states = finite_steady_states();
-  const reports::CsvTable table(text, finite_coefficients_file);
-  if (table.header() != header || table.rows() != states.size()) {
-    return {{finite_coefficients_file, 1, "", "other columns or another number of rows than are made"}};
-  }
-  std::vector<reports::GoldenDifference> differences;
-  const std::size_t every = std::max<std::size_t>(run.every, 1);
-  std::mutex mutex;
-  in_parallel(run, (states.size() + every - 1) / every, [&](std::size_t job) {
-    const std::size_t i = job * every;
-    const FiniteSteadyFilm made = finite_steady_film(states[i]);
-    const std::string again = row_of(states[i], made);
-    const auto tell = [&](const std::string& column, const std::string& what) {
-      const std::lock_guard lock(mutex);
-      differences.push_back({finite_coefficients_file, i + 2, column, what});
-    };
-    if (first_fields(table.line(i), inputs) != first_fields(again, inputs)) {
-      return tell("", "another state than " + first_fields(again, inputs));
-    }
+  const auto compare = [](const reports::CsvTable& table, std::size_t i, const FiniteSteadyFilm& made,
+                          const auto& tell) {
     const auto hold = [&](const std::string& column, double value, const std::string& bound, double uncertainty) {
       const double printed = table.number(i, table.column(column));
       const double allowed = table.number(i, table.column(bound));
@@ -179,9 +158,8 @@ std::vector<reports::GoldenDifference> check_finite_coefficients(const std::stri
       hold("k" + axes[k], made.stiffness[k], "stiffness_uncertainty", made.stiffness_uncertainty);
       hold("c" + axes[k], made.damping[k], "damping_uncertainty", made.damping_uncertainty);
     }
-  });
-  std::ranges::sort(differences, {}, &reports::GoldenDifference::line);
-  return differences;
+  };
+  return finite_differences(file, finite_steady_states(), text, run, finite_steady_film, row_of, compare);
 }
 
 }  // namespace lubjoint::certified

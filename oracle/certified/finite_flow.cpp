@@ -5,7 +5,6 @@
 
 #include "oracle/certified/finite_length.hpp"
 #include "oracle/certified/finite_rows.hpp"
-#include "oracle/files/csv_table.hpp"
 #include "oracle/reynolds/cavitated_elements.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
@@ -17,9 +16,8 @@ using oracle::FiniteFilm;
 using oracle::FiniteFlow;
 using oracle::SmoothFilmMethod;
 
-constexpr const char* header =
-    "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,side_flow,uncertainty";
-constexpr int inputs = 5;
+constexpr FiniteFile file{
+    finite_flow_file, "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,side_flow,uncertainty", 5};
 
 FiniteFlow solved(const FiniteGoldenState& at, double tolerance, SmoothFilmMethod method) {
   return oracle::finite_side_flow(at.film, at.length_to_diameter, at.state.in_own_frame(),
@@ -62,34 +60,13 @@ FiniteGoldenFlow finite_golden_flow(const FiniteGoldenState& at) {
 }
 
 std::string finite_flow_csv(const GoldenRun& run) {
-  const std::vector<FiniteGoldenState> states = finite_flow_states();
-  std::vector<std::string> rows(states.size());
-  in_parallel(run, rows.size(), [&](std::size_t i) { rows[i] = row_of(states[i], finite_golden_flow(states[i])); });
-  std::string text = std::string(header) + "\n";
-  for (const std::string& row : rows) text += row + "\n";
-  return text;
+  return finite_csv(file, finite_flow_states(), run,
+                    [](const FiniteGoldenState& at) { return row_of(at, finite_golden_flow(at)); });
 }
 
 std::vector<reports::GoldenDifference> check_finite_flow(const std::string& text, const GoldenRun& run) {
-  const std::vector<FiniteGoldenState> states = finite_flow_states();
-  const reports::CsvTable table(text, finite_flow_file);
-  if (table.header() != header || table.rows() != states.size()) {
-    return {{finite_flow_file, 1, "", "other columns or another number of rows than are made"}};
-  }
-  std::vector<reports::GoldenDifference> differences;
-  const std::size_t every = std::max<std::size_t>(run.every, 1);
-  std::mutex mutex;
-  in_parallel(run, (states.size() + every - 1) / every, [&](std::size_t job) {
-    const std::size_t i = job * every;
-    const FiniteGoldenFlow made = finite_golden_flow(states[i]);
-    const std::string again = row_of(states[i], made);
-    const auto tell = [&](const std::string& column, const std::string& what) {
-      const std::lock_guard lock(mutex);
-      differences.push_back({finite_flow_file, i + 2, column, what});
-    };
-    if (first_fields(table.line(i), inputs) != first_fields(again, inputs)) {
-      return tell("", "another state than " + first_fields(again, inputs));
-    }
+  const auto compare = [](const reports::CsvTable& table, std::size_t i, const FiniteGoldenFlow& made,
+                          const auto& tell) {
     const double apart = std::abs(table.number(i, table.column("side_flow")) - made.flow);
     const double allowed = table.number(i, table.column("uncertainty"));
     if (!(apart <= allowed + made.uncertainty)) {
@@ -97,9 +74,8 @@ std::vector<reports::GoldenDifference> check_finite_flow(const std::string& text
     } else if (!(allowed <= 10 * made.uncertainty)) {
       tell("uncertainty", "is " + rounded(allowed, 3) + " 1/s instead of " + rounded(made.uncertainty, 3));
     }
-  });
-  std::ranges::sort(differences, {}, &reports::GoldenDifference::line);
-  return differences;
+  };
+  return finite_differences(file, finite_flow_states(), text, run, finite_golden_flow, row_of, compare);
 }
 
 }  // namespace lubjoint::certified

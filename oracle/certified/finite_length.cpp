@@ -15,9 +15,9 @@ namespace {
 
 using oracle::FiniteFilm;
 
-constexpr const char* file_name = "finite_film_force.csv";
-constexpr const char* header =
-    "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,radial,tangential,uncertainty";
+constexpr FiniteFile file{
+    "finite_film_force.csv",
+    "film,length_over_diameter,eccentricity_ratio,slip_rate,squeeze_rate,radial,tangential,uncertainty", 5};
 
 std::string row_of(const FiniteGoldenState& at, const FiniteGoldenForce& force) {
   return std::string(oracle::name_of(at.film)) + "," + exact(at.length_to_diameter) + "," +
@@ -54,63 +54,48 @@ FiniteGoldenForce finite_golden_force(const FiniteGoldenState& at) {
 }
 
 void write_finite_golden(const std::filesystem::path& folder, const GoldenRun& run) {
-  const std::vector<FiniteGoldenState> states = finite_golden_states();
-  std::vector<std::string> rows(states.size());
-  in_parallel(run, rows.size(), [&](std::size_t i) { rows[i] = row_of(states[i], finite_golden_force(states[i])); });
-  std::string text = std::string(header) + "\n";
-  for (const std::string& row : rows) text += row + "\n";
+  const std::string text = finite_csv(file, finite_golden_states(), run,
+                                      [](const FiniteGoldenState& at) { return row_of(at, finite_golden_force(at)); });
   reports::prepare_folder(folder);
-  reports::write_file(folder / file_name, text);
+  reports::write_file(folder / file.name, text);
   const std::string coefficients = finite_coefficients_csv(run);
   reports::write_file(folder / finite_coefficients_file, coefficients);
   const std::string flow = finite_flow_csv(run);
   reports::write_file(folder / finite_flow_file, flow);
   reports::write_file(folder / reports::golden_manifest_name,
                       reports::golden_manifest(
-                          {{file_name, text}, {finite_coefficients_file, coefficients}, {finite_flow_file, flow}}));
+                          {{file.name, text}, {finite_coefficients_file, coefficients}, {finite_flow_file, flow}}));
 }
+
+namespace {
+
+std::vector<reports::GoldenDifference> check_finite_forces(const std::string& text, const GoldenRun& run) {
+  const auto compare = [](const reports::CsvTable& table, std::size_t i, const FiniteGoldenForce& made,
+                          const auto& tell) {
+    const auto value = [&](const char* column) { return table.number(i, table.column(column)); };
+    const double apart = std::hypot(value("radial") - made.radial, value("tangential") - made.tangential);
+    if (!(apart <= value("uncertainty") + made.uncertainty)) {
+      tell("", "the force is off by " + rounded(apart, 3) + " 1/s, more than both uncertainties");
+    } else if (!(value("uncertainty") <= 10 * made.uncertainty)) {
+      tell("uncertainty", "is " + rounded(value("uncertainty"), 3) + " 1/s instead of " + rounded(made.uncertainty, 3));
+    }
+  };
+  return finite_differences(file, finite_golden_states(), text, run, finite_golden_force, row_of, compare);
+}
+
+}  // namespace
 
 std::vector<reports::GoldenDifference> check_finite_golden(const std::filesystem::path& folder, const GoldenRun& run) {
   std::vector<reports::GoldenDifference> differences =
-      reports::manifest_differences(folder, {file_name, finite_coefficients_file, finite_flow_file});
-  if (!std::filesystem::exists(folder / file_name)) return differences;
-  const std::vector<FiniteGoldenState> states = finite_golden_states();
-  const reports::CsvTable table(reports::read_input((folder / file_name).string()), file_name);
-  if (table.header() != header || table.rows() != states.size()) {
-    differences.push_back({file_name, 1, "", "other columns or another number of rows than are made"});
-    return differences;
-  }
-  const std::size_t every = std::max<std::size_t>(run.every, 1);
-  std::mutex mutex;
-  in_parallel(run, (states.size() + every - 1) / every, [&](std::size_t job) {
-    const std::size_t i = job * every;
-    const FiniteGoldenForce made = finite_golden_force(states[i]);
-    const std::string inputs = row_of(states[i], made);
-    const auto value = [&](const char* column) { return table.number(i, table.column(column)); };
-    std::string what;
-    const double apart = std::hypot(value("radial") - made.radial, value("tangential") - made.tangential);
-    constexpr int given = 5;  // film, L/D, ε, a, b
-    if (first_fields(table.line(i), given) != first_fields(inputs, given)) {
-      what = "another state than " + first_fields(inputs, given);
-    } else if (!(apart <= value("uncertainty") + made.uncertainty)) {
-      what = "the force is off by " + rounded(apart, 3) + " 1/s, more than both uncertainties";
-    } else if (!(value("uncertainty") <= 10 * made.uncertainty)) {
-      what =
-          "the uncertainty is " + rounded(value("uncertainty"), 3) + " 1/s instead of " + rounded(made.uncertainty, 3);
-    }
-    if (what.empty()) return;
-    const std::lock_guard lock(mutex);
-    differences.push_back({file_name, i + 2, "", what});
-  });
-  std::ranges::sort(differences, {}, &reports::GoldenDifference::line);
-  if (std::filesystem::exists(folder / finite_coefficients_file)) {
-    const std::string text = reports::read_input((folder / finite_coefficients_file).string());
-    for (auto& difference : check_finite_coefficients(text, run)) differences.push_back(std::move(difference));
-  }
-  if (std::filesystem::exists(folder / finite_flow_file)) {
-    const std::string text = reports::read_input((folder / finite_flow_file).string());
-    for (auto& difference : check_finite_flow(text, run)) differences.push_back(std::move(difference));
-  }
+      reports::manifest_differences(folder, {file.name, finite_coefficients_file, finite_flow_file});
+  const auto look_at = [&](const char* name, const auto& check) {
+    if (!std::filesystem::exists(folder / name)) return;  // the manifest's comparison has told of it
+    for (auto& difference : check(reports::read_input((folder / name).string()), run))
+      differences.push_back(std::move(difference));
+  };
+  look_at(file.name, check_finite_forces);
+  look_at(finite_coefficients_file, check_finite_coefficients);
+  look_at(finite_flow_file, check_finite_flow);
   return differences;
 }
 

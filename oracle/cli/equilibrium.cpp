@@ -1,8 +1,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "oracle/cli/scene_options.hpp"
 #include "oracle/cli/programs.hpp"
+#include "oracle/cli/scene_options.hpp"
 #include "oracle/results/coefficient_table.hpp"
 #include "oracle/results/journal_report.hpp"
 

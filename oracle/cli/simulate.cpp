@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
@@ -97,7 +98,9 @@ void add_simulate(CLI::App& app, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       options->LateOptions::require();
-      const reports::SceneToRun scene = reports::scene_to_run(SceneFile(options->file), *options, scene_films());
+      const SceneFile file(options->file);
+      if (scene_dimension(file) == 3) require_none_in_space(*options, *options);
+      const reports::SceneToRun scene = reports::scene_to_run(file, *options, scene_films());
       std::optional<double> after;
       if (const auto* plane = std::get_if<Scene>(&scene)) {
         after = options->start(*plane);
@@ -105,8 +108,6 @@ void add_simulate(CLI::App& app, Action& action) {
           throw std::invalid_argument(
               "--plot draws joints, and the scene has none; allowed is a scene with [[joints]]");
         }
-      } else {
-        require_none_in_space(*options, *options);
       }
       if (options->folder) reports::prepare_folder(*options->folder);
       return std::visit([&](const auto& each) { return simulate(each, after, *options); }, scene);

@@ -1,5 +1,4 @@
 #include "oracle/sweep/sweep.hpp"
-#include "oracle/cli/programs.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -7,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"

@@ -10,6 +10,7 @@
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/scene/equilibrium.hpp"
 #include "oracle/files/progress.hpp"
+#include "oracle/laws/median.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
 namespace lubjoint::reports {
@@ -27,12 +28,6 @@ Difference difference(const PolarForce<double>& law, const oracle::FiniteLengthR
   const double size = std::hypot(film.radial, film.tangential);
   return {std::hypot(law.radial - film.radial, law.tangential - film.tangential) / size,
           std::hypot(film.radial_error, film.tangential_error) / size};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lubjoint/film/every_law.hpp"
+#include "oracle/laws/median.hpp"
 #include "oracle/laws/model_error.hpp"
 
 namespace lubjoint::reports {
@@ -24,11 +25,6 @@ struct Errors {
     const double along = std::cos(entry.direction);
     double& worst = largest[along >= 0.5 - 1e-9 ? 0 : along <= -0.5 + 1e-9 ? 2 : 1];
     worst = std::max(worst, entry.error);
-  }
-  double median() {
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
   }
 };
 
@@ -52,7 +48,7 @@ std::string model_error_lookup() {
           if (meant && entry.eccentricity_ratio == epsilon) errors.add(entry);
         }
         if (errors.all.empty()) continue;
-        csv += fmt::format("{:.5g},{:g},{},{},{},{},{}\n", shape, epsilon, law, shown(errors.median()),
+        csv += fmt::format("{:.5g},{:g},{},{},{},{},{}\n", shape, epsilon, law, shown(median(errors.all)),
                            shown(errors.largest[0]), shown(errors.largest[1]), shown(errors.largest[2]));
       }
     }

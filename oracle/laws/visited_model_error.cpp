@@ -6,6 +6,7 @@
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/multibody/joint_element.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
+#include "oracle/laws/median.hpp"
 #include "oracle/laws/model_error.hpp"
 #include "oracle/laws/model_error_words.hpp"
 #include "oracle/reynolds/finite_force.hpp"
@@ -13,12 +14,6 @@
 namespace lubjoint::reports {
 
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Error of a joint's law at each of some films.
 VisitedModelError error_at(const SceneJoint& joint, const std::vector<FilmState<double>>& films) {

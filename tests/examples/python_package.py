@@ -377,7 +377,7 @@ for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"te
                      ("after is 9", {"scene": scenes / "journal.toml", "duration": 0.1, "after": 9}),
                      ("plane", {"scene": scenes / "space" / "top.toml", "after": 0.1}),
                      ("no effect", {"scene": scenes / "slider-crank-ideal.toml", "law": "short_half"}),
-                     ("one of scene and text", {}), ("NUL", {"text": "duration = 1\0"}),
+                     ("one of scene and text", {}), ("NUL", {"text": "duration = 1\0"}), ("NUL", {"scene": "a\0b.toml"}),
                      ("eccentricity ratio 5000", {"text": journal.replace("position = [0.0, 0.0]", "position = [1.0, 0.0]")})):
     try:
         lubjoint.simulate(**wrong)

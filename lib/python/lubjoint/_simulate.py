@@ -92,12 +92,13 @@ def _pointer(number):
     return None if number is None else ctypes.pointer(ctypes.c_double(number))
 
 
-def _bytes(name, text):
+def _bytes(name, text, encode=str.encode):
     if text is None:
         return None
-    if "\0" in text:
+    encoded = encode(text)
+    if b"\0" in encoded:
         raise ValueError(f"{name} has a NUL character; allowed is text without one")
-    return text.encode()
+    return encoded
 
 
 def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional[str] = None, law: Optional[str] = None,
@@ -156,7 +157,7 @@ def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional
     on_terminal = sys.stderr is not None and sys.stderr.isatty()
     progress = _progress(partial(show_compiling, "the table of a film")) if on_terminal else _progress()
     numbers = [_pointer(number) for number in (rtol, duration, after)]
-    request = _Request(None if scene is None else os.fsencode(scene), _bytes("text", text), _bytes("law", law),
+    request = _Request(_bytes("scene", scene, os.fsencode), _bytes("text", text), _bytes("law", law),
                        _bytes("integrator", integrator), *numbers, os.fsencode(os.path.join(folder, "films")), progress)
     runs = _library()
     run = ctypes.c_void_p()

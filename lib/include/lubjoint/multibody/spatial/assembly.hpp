@@ -231,10 +231,6 @@ std::pair<std::vector<std::size_t>, std::vector<std::size_t>> independent_rows(c
   return {kept, left_out};
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// Values of the rows of an evaluated workspace.
 /// @throws ConstraintError  that names a row that is not finite
 template <class R>
