@@ -89,7 +89,7 @@ std::string visited_table(const Content& content) {
   return table.html();
 }
 
-/// Clearance and viscosity, each beside its unit.
+/// Lines break after commas alone: numbers stay beside their units and signs.
 std::string without_breaks(std::string text) {
   const std::string space = "\u00a0";
   for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
@@ -133,7 +133,7 @@ std::string real_films_tables(const std::optional<RealFilms>& films) {
         {item.scene.joints.front().film, without_breaks(pair_of(item.scene.joints.front())), agreement(item.verdict),
          fmt::format("{:.4f}", farthest / clearance), fmt::format("{:.3f}", 1e6 * (clearance - farthest)),
          fmt::format("{:.2f}", item.run.joints.front().force.value), fmt::format("{:.3f}", moment.max_moment.value),
-         fmt::format("{:.3f}", moment.min_moment.value), words_of(item.beyond)});
+         fmt::format("{:.3f}", moment.min_moment.value), without_breaks(words_of(item.beyond))});
   }
   return journal.html() + checks_table("Example 1: what the letters stand for", films->journal_verdicts()) +
          crank.html() + checks_table("Example 2: what the letters stand for", films->crank_verdicts());
