@@ -183,6 +183,24 @@ SceneConstraint read_constraint(TableReader table, const Scene& scene) {
   return constraint;
 }
 
+SceneCoordinates read_coordinates(TableReader& root, const Scene& scene) {
+  const std::string name = root.text_or("coordinates", "auto");
+  if (name == "auto") return SceneCoordinates::automatic;
+  if (name != "independent" && name != "absolute") {
+    root.refuse("coordinates", in_quotes(name), "\"auto\", \"independent\" or \"absolute\"");
+  }
+  if (scene.constraints.empty()) {
+    root.refuse("coordinates", in_quotes(name) + " in a scene without constraints, where both are the same",
+                "to leave the key out");
+  }
+  if (name == "absolute") return SceneCoordinates::absolute;
+  if (scene.stabilisation.asked) {
+    root.refuse("coordinates", in_quotes(name) + " beside a stabilisation table, which independent coordinates don't need",
+                "one of the two, or \"absolute\"");
+  }
+  return SceneCoordinates::independent;
+}
+
 SceneStabilisation read_stabilisation(TableReader table) {
   SceneStabilisation stabilisation;
   const std::string method = table.text("method");
@@ -199,6 +217,7 @@ SceneStabilisation read_stabilisation(TableReader table) {
     table.refuse("singular_positions", in_quotes(at_singular), "\"stop\" or \"pass\"");
   }
   stabilisation.passes_singular = at_singular == "pass";
+  stabilisation.asked = true;
   if (stabilisation.passes_singular && !stabilisation.projection) {
     table.refuse("singular_positions", "\"pass\" with Baumgarte's terms, whose drift decides where a run leaves one",
                  "\"stop\", or \"pass\" with method = \"projection\"");

@@ -44,6 +44,8 @@ void read_contact(TableReader& joint_table, SceneJoint& joint);
 
 SceneConstraint read_constraint(TableReader table, const Scene& scene);
 SceneStabilisation read_stabilisation(TableReader table);
+/// Of a scene whose constraints and stabilisation are read.
+SceneCoordinates read_coordinates(TableReader& root, const Scene& scene);
 
 // What scenes in the plane and in space have alike; in scene_file.cpp.
 

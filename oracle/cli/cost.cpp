@@ -18,7 +18,7 @@ void add_cost(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("cost", words_of("cost"));
   CLI::Option* file = command->add_option("scene", options->file, "Scene file (TOML)");
   options->add_law(*command);
-  command->add_flag("--chain", options->chain, "In place of a scene: chains of 1 to 200 pendulums");
+  command->add_flag("--chain", options->chain, "In place of a scene: chains of 1 to 1000 pendulums");
   command->add_option("--rounds", options->rounds, "Rounds of which medians are taken")->capture_default_str();
   command->add_flag("--json", options->json, "One JSON object");
   command->callback([options, file, &action] {

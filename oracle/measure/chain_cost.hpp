@@ -15,15 +15,15 @@ struct ChainCost {
   double rhs;
   double factorisation;  ///< of it: assembly and factorisation of the Schur complement
   double solve;          ///< of it: multipliers and accelerations
-  double jacobian;       ///< the exact Jacobian of the right-hand side
-  double implicit_step;  ///< one step of radau_iia5, Jacobian and factorisations included; 0: not measured
+  double jacobian;       ///< the exact Jacobian of the equations of motion
+  double implicit_step;  ///< one step of radau_iia5, Jacobian and factorisations included
 };
 
-/// n from 1 to 200; implicit steps up to 100.
+/// n from 1 to 1000.
 /// @param rounds  of which medians are taken; a tenth, at least 3, of what takes milliseconds
 std::vector<ChainCost> chain_cost(std::size_t rounds);
 
-/// Slope of log t over log n from n = 10 on, by least squares over what was measured.
+/// Slope of log t over log n from n = 50 on, by least squares.
 double growth_exponent(const std::vector<ChainCost>& rows, double ChainCost::*time);
 
 nlohmann::ordered_json chain_json(const std::vector<ChainCost>& rows);

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <memory>
 
+#include "lubjoint/motion/independent_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/scene_coordinates.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "lubjoint/scene/start_check.hpp"
 #include "oracle/measure/timing.hpp"
@@ -256,6 +258,48 @@ void count_scene(const Scene& scene, SceneCost& cost) {
 
 std::size_t nonzeros(const Eigen::MatrixXd& matrix) { return static_cast<std::size_t>((matrix.array() != 0).count()); }
 
+/// The coordinates that the scene runs in, and what a right-hand side costs in independent ones: between two states a
+/// millionth of a clearance apart, as a late Newton iteration asks for it.
+void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost& cost, Measurement& measurement) {
+  const CoordinatesChoice choice = choose_coordinates(scene, equations.system);
+  cost.runs_in = choice.independent ? "independent" : "absolute";
+  cost.runs_in_reason = choice.reason;
+  if (!choice.independent) return;
+  using Small = IndependentOde<double, run_time_size>;
+  const SceneUnits units = scene_units(scene);
+  std::vector<double> start = scene_start<double>(scene);
+  assemble_start(equations.system, 0.0, units.mechanism, start);
+  start.resize(equations.ode.dimension(), 0.0);
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < equations.system.coordinates(); ++i)
+    sizes.push_back(i % 3 == 2 ? units.angle : units.length);
+  const auto small = std::make_shared<Small>(equations.ode, sizes);
+  small->choose(0.0, start);
+  const auto states = std::make_shared<std::array<std::vector<double>, 2>>();
+  small->take(start, (*states)[0]);
+  for (std::size_t i = 0; i < 2 * small->freedoms(); ++i) {
+    const std::size_t k = i % small->freedoms();
+    const double size = small->chart().is_of_joint(k) ? units.length : sizes[small->chart().coordinate_of(k)];
+    (*states)[0][i] += 0.2 * size * (i < small->freedoms() ? 1.0 : units.rate);
+  }
+  (*states)[1] = (*states)[0];
+  (*states)[1][0] += 1e-6 * units.length;
+  const auto rate = std::make_shared<std::vector<double>>((*states)[0].size());
+  measurement.add(repeated([small, states, rate, turn = std::size_t(0)]() mutable {
+                    small->rate((*states)[turn = 1 - turn], *rate, 0.0);
+                  }),
+                  [&cost](double time, double ratio) {
+                    cost.independent.push_back({"in independent coordinates", time, ratio});
+                  });
+  const auto jacobian = std::make_shared<Eigen::MatrixXd>();
+  measurement.add(repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
+                    small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
+                  }),
+                  [&cost](double time, double ratio) {
+                    cost.independent.push_back({"and its exact Jacobian in them", time, ratio});
+                  });
+}
+
 /// Parts, Jacobian and upkeep of the general equations.
 void measure_general(const Scene& scene, SceneCost& cost, Measurement& measurement) {
   GeneralEquations& equations = measurement.keep(scene);
@@ -296,6 +340,7 @@ void measure_general(const Scene& scene, SceneCost& cost, Measurement& measureme
                     cost.jacobian_ratio = ratio;
                   });
   if (cost.constraint_rows == 0) return;
+  add_independent(scene, equations, cost, measurement);
   GeneralEquations& projected = measurement.keep(scene);
   measurement.add(repeated([&projected] {
                     project_onto_constraints(projected.system, 0.0, projected.y, projected.ode.workspace());

@@ -59,6 +59,9 @@ struct SceneCost {
   std::size_t jacobian_passes = 0;
   double jacobian_nanoseconds = 0;
   double jacobian_ratio = 0;  ///< to one right-hand side
+  std::string runs_in;                 ///< "independent" or "absolute" coordinates; empty of a free journal
+  std::string runs_in_reason;          ///< empty if the scene names them
+  std::vector<OtherCost> independent;  ///< the right-hand side and its Jacobian in independent ones, if it runs in them
   std::vector<CostVariant> variants;
   std::vector<OtherCost> phases;  ///< the right-hand side in the phases of a contact that the scene has
   std::vector<OtherCost> steps;   ///< what is paid once a step if it is asked for

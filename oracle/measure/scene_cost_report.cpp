@@ -74,6 +74,9 @@ Json cost_json(const SceneCost& cost) {
           {"parts", parts},
           {"jacobian",
            {{"passes", cost.jacobian_passes}, {"ns", cost.jacobian_nanoseconds}, {"ratio", cost.jacobian_ratio}}},
+          {"runs_in", cost.runs_in},
+          {"runs_in_reason", cost.runs_in_reason},
+          {"independent_coordinates", others(cost.independent)},
           {"left_out", variants(false)},
           {"in_use", variants(true)},
           {"phases", others(cost.phases)},
@@ -83,6 +86,10 @@ Json cost_json(const SceneCost& cost) {
 std::string cost_text(const SceneCost& cost) {
   std::string text = fmt::format("scene          {}\nbodies         {}: {} coordinates, {} states\n", cost.scene,
                                  cost.bodies, cost.coordinates, cost.states);
+  if (!cost.runs_in.empty()) {
+    text += fmt::format("runs in        {} coordinates{}\n", cost.runs_in,
+                        cost.runs_in_reason.empty() ? "" : ": " + cost.runs_in_reason);
+  }
   if (cost.free_journal) {
     text += fmt::format("constraints    none; {}\n", no_solve);
   } else {
@@ -106,6 +113,11 @@ std::string cost_text(const SceneCost& cost) {
   for (const OtherCost& step : cost.steps) {
     text += fmt::format("{:<50} {:>9.1f} ns {:>7.2f} x, once a step if asked for\n", step.what, step.nanoseconds,
                         step.ratio);
+  }
+  for (const OtherCost& each : cost.independent) {
+    text += fmt::format("{:<50} {:>9.1f} ns {:>7.2f} x\n",
+                        (&each == &cost.independent.front() ? "right-hand side " : "") + each.what, each.nanoseconds,
+                        each.ratio);
   }
   for (const OtherCost& phase : cost.phases) {
     text +=

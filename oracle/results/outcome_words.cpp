@@ -13,23 +13,30 @@ const char* status_word(RunStatus status) { return status == RunStatus::finished
 
 nlohmann::ordered_json outcome_json(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                                     double wall_seconds) {
-  return {{"scene", scene},
-          {"law", law},
-          {"integrator", outcome.integrator},
-          {"integrator_reason", outcome.integrator_reason},
-          {"status", status_word(outcome.status)},
-          {"message", outcome.message},
-          {"t_end", outcome.t_end},
-          {"steps", outcome.steps},
-          {"rejected_steps", outcome.rejected_steps},
-          {"rhs_evaluations", outcome.rhs_evaluations},
-          {"wall_s", wall_seconds}};
+  nlohmann::ordered_json summary = {{"scene", scene},
+                                    {"law", law},
+                                    {"integrator", outcome.integrator},
+                                    {"integrator_reason", outcome.integrator_reason}};
+  if (!outcome.coordinates.empty()) {
+    summary["coordinates"] = outcome.coordinates;
+    summary["coordinates_reason"] = outcome.coordinates_reason;
+  }
+  summary["status"] = status_word(outcome.status);
+  summary["message"] = outcome.message;
+  summary["t_end"] = outcome.t_end;
+  summary["steps"] = outcome.steps;
+  summary["rejected_steps"] = outcome.rejected_steps;
+  summary["rhs_evaluations"] = outcome.rhs_evaluations;
+  summary["wall_s"] = wall_seconds;
+  return summary;
 }
 
 std::string outcome_text(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                          double wall_seconds) {
   std::string text = fmt::format("scene        {}\nlaw          {}\nintegrator   {}", scene, law, outcome.integrator);
   if (!outcome.integrator_reason.empty()) text += fmt::format(", by auto: {}", outcome.integrator_reason);
+  if (!outcome.coordinates.empty()) text += fmt::format("\ncoordinates  {}", outcome.coordinates);
+  if (!outcome.coordinates_reason.empty()) text += fmt::format(", by auto: {}", outcome.coordinates_reason);
   text += fmt::format("\nstatus       {} at t = {} s\n", status_word(outcome.status), outcome.t_end);
   if (!outcome.message.empty()) text += fmt::format("message      {}\n", outcome.message);
   text += fmt::format("cost         {} steps, {} rejected, {} evaluations, {:.3g} ms\n", outcome.steps,

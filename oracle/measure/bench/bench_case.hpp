@@ -57,7 +57,7 @@ struct PlainProblem {
 class BenchCase {
  public:
   virtual ~BenchCase() = default;
-  virtual std::string formulation() const = 0;  ///< journal, minimal, absolute or joint
+  virtual std::string formulation() const = 0;  ///< journal, minimal, absolute, independent or joint
   /// Those of raced_methods() that this case can be given.
   virtual std::vector<std::string> methods() const = 0;
   virtual MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) = 0;

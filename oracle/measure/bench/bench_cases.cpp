@@ -7,6 +7,7 @@
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/scene_coordinates.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/measure/bench/golden_reference.hpp"
 #include "oracle/measure/bench/race.hpp"
@@ -120,7 +121,7 @@ void look_at_bodies(const std::vector<double>& y, double size, Reference& seen) 
   }
 }
 
-class AbsoluteProblem final : public RaceProblem<run_time_size> {
+class AbsoluteProblem : public RaceProblem<run_time_size> {
  public:
   explicit AbsoluteProblem(const Scene& scene)
       : scene_(scene),
@@ -137,9 +138,7 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
   void time_slope(const State& y, State& slope, const double& t) override { ode_.time_slope(y, slope, t); }
   State start() const override { return start_; }
   StepTolerance<double, run_time_size> tolerance(double relative) const override {
-    Scene scene = scene_;
-    scene.run.relative_tolerance = scene.run.absolute_tolerance = relative;
-    return {0, scene_tolerances<double>(scene), relative};
+    return {0, scene_tolerances<double>(scene_at(relative)), relative};
   }
   bool is_admissible(double, const State& y) override {
     for (const double each : y) {
@@ -157,6 +156,16 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
   }
   std::size_t positions() const override { return system_.coordinates(); }
   std::size_t evaluations() const override { return ode_.evaluations(); }
+
+ protected:
+  /// The scene at a tolerance.
+  Scene scene_at(double relative) const {
+    Scene scene = scene_;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = relative;
+    return scene;
+  }
+  const PlanarSystem<double>& system() const { return system_; }
+  MultibodyOde<double>& ode() { return ode_; }
 
  private:
   PlanarFrame<double> frame(std::size_t body, const State& y) const {
@@ -176,6 +185,19 @@ class AbsoluteProblem final : public RaceProblem<run_time_size> {
   PlanarSystem<double> system_;
   MultibodyOde<double> ode_;
   State start_;
+};
+
+/// The same bodies, stepped in the coordinates that their constraints leave free.
+class IndependentProblem final : public AbsoluteProblem {
+ public:
+  using AbsoluteProblem::AbsoluteProblem;
+
+  bool is_chosen() const { return choose_coordinates(scene_at(1e-6), system()).independent; }
+  std::unique_ptr<Integrator<double, run_time_size>> integrator(const std::string& method, double relative) override {
+    const Scene scene = scene_at(relative);
+    return independent_method(method, scene, ode(), scene.run, scene_tolerances<double>(scene));
+  }
+  bool is_for_others() const override { return false; }
 };
 
 /// What errors are measured in at every sample after the start.
@@ -325,6 +347,10 @@ BenchScene bench_scene(const Scene& scene) {
   }
   result.cases.push_back(std::make_unique<RaceCase<run_time_size>>("absolute", std::make_unique<AbsoluteProblem>(scene),
                                                                    duration, reference.times, reference.seen));
+  if (auto independent = std::make_unique<IndependentProblem>(scene); independent->is_chosen()) {
+    result.cases.push_back(std::make_unique<RaceCase<run_time_size>>("independent", std::move(independent), duration,
+                                                                     reference.times, reference.seen));
+  }
   if (has_minimal_coordinates(scene)) {
     if (auto simbody = simbody_case(scene, reference.times, reference.seen)) result.cases.push_back(std::move(simbody));
   }

@@ -10,8 +10,10 @@ namespace lubjoint::reports {
 namespace {
 
 bool is_of_race(const BenchRow& row, const Race& race) {
-  const bool simbodys = race.formulation == "absolute" && row.formulation == "joint";
-  return row.scene == race.scene && (row.formulation == race.formulation || simbodys);
+  const bool independent = race.formulation == "independent";
+  const bool simbodys = (independent || race.formulation == "absolute") && row.formulation == "joint";
+  const bool sundials = independent && row.formulation == "absolute" && camp_of(row.integrator) == Camp::sundials;
+  return row.scene == race.scene && (row.formulation == race.formulation || simbodys || sundials);
 }
 
 }  // namespace

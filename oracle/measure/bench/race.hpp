@@ -26,6 +26,11 @@ class RaceProblem : public OdeSystem<double, N> {
   virtual void look(double t, const State& y, Reference& seen) = 0;  ///< adds what errors are measured in
   virtual std::size_t positions() const = 0;                         ///< of the states, the first ones
   virtual std::size_t evaluations() const = 0;
+  /// The integrator of that name for this problem.
+  virtual std::unique_ptr<Integrator<double, N>> integrator(const std::string& method, double relative) {
+    return make_integrator<N>(method, tolerance(relative));
+  }
+  virtual bool is_for_others() const { return true; }  ///< can another's solver be given it?
 };
 
 /// Races on a problem with a known answer.
@@ -47,7 +52,9 @@ class RaceCase final : public BenchCase {
 
   std::vector<std::string> methods() const override {
     std::vector<std::string> names(method_names().begin(), method_names().end());
-    for (const std::string_view name : sundials_methods()) names.emplace_back(name);
+    if (problem_->is_for_others()) {
+      for (const std::string_view name : sundials_methods()) names.emplace_back(name);
+    }
     return names;
   }
 
@@ -56,6 +63,7 @@ class RaceCase final : public BenchCase {
   }
 
   std::optional<PlainProblem> plain_problem(double tolerance) override {
+    if (!problem_->is_for_others()) return std::nullopt;
     const StepTolerance<double, N> allowed = problem_->tolerance(tolerance);
     State y = problem_->start();
     const std::size_t n = y.size();
@@ -123,7 +131,7 @@ class RaceCase final : public BenchCase {
     const double shortest = 8 * std::numeric_limits<double>::epsilon();
     const double begin = mechanisms::processor_seconds();
     const auto elapsed = [&] { return mechanisms::processor_seconds() - begin; };
-    const auto integrator = make_integrator<N>(method, problem_->tolerance(tolerance));
+    const auto integrator = problem_->integrator(method, tolerance);
     State y_old = y;
     while (duration_ - t > shortest * duration_) {
       const double t_old = t;
@@ -158,7 +166,7 @@ class RaceCase final : public BenchCase {
     return result;
   }
 
-  void look(const Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t,
+  void look(Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t,
             const State& y_old, const State& y, State& inside, std::size_t& next, Reference& seen) {
     step.t_old = t_old;
     step.t_new = t;
@@ -168,6 +176,7 @@ class RaceCase final : public BenchCase {
     problem_->rate(y, step.rate_new, t);
     integrator.refine_end_rate(step.rate_new);
     step.smooth_rates = integrator.has_smooth_rates();
+    integrator.see_inside(step);
     for (; next < times_.size() && times_[next] <= t + 1e-13 * duration_; ++next) {
       step.state_at(times_[next], problem_->positions(), inside);
       problem_->look(times_[next], inside, seen);

@@ -76,28 +76,8 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
     return sum;
   }
 
- private:
-  template <class T, class Time>
-  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
-    system_.evaluate(t, y.data(), memory_, w);
-    const std::size_t n = system_.coordinates();
-    for (std::size_t i = 0; i < n; ++i) {
-      dydt[i] = y[n + i];
-      dydt[n + i] = w.accelerations[i];
-    }
-    if (with_ledger_) fill_powers(t, y, w, &dydt[2 * n]);
-  }
-
-  /// Powers of moving loads and of dampers. Not inlined, as what systems without them leave out.
-  template <class T, class Time>
-  [[gnu::noinline]] void add_element_powers(const Time& t, const SystemWorkspace<T>& w, T* power) const {
-    const ForceElements<R>& elements = system_.elements();
-    const auto frame = [&](std::size_t body) -> const PlanarFrame<T>& { return system_.frame(body, w); };
-    power[static_cast<std::size_t>(LedgerTerm::loads)] += elements.template load_power<T>(t, frame);
-    if (elements.has_dampers())
-      power[static_cast<std::size_t>(LedgerTerm::dampers)] = elements.template damper_power<T>(frame);
-  }
-
+  /// Powers of the terms of a ledger, of an evaluated workspace.
+  /// @param y  (q, q̇);  @param power  works() numbers
   template <class T, class Time>
   void fill_powers(const Time& t, const std::vector<T>& y, const SystemWorkspace<T>& w, T* power) const {
     const std::size_t n = system_.coordinates();
@@ -123,6 +103,28 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
         add(term, T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
       }
     }
+  }
+
+ private:
+  template <class T, class Time>
+  void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
+    system_.evaluate(t, y.data(), memory_, w);
+    const std::size_t n = system_.coordinates();
+    for (std::size_t i = 0; i < n; ++i) {
+      dydt[i] = y[n + i];
+      dydt[n + i] = w.accelerations[i];
+    }
+    if (with_ledger_) fill_powers(t, y, w, &dydt[2 * n]);
+  }
+
+  /// Powers of moving loads and of dampers. Not inlined, as what systems without them leave out.
+  template <class T, class Time>
+  [[gnu::noinline]] void add_element_powers(const Time& t, const SystemWorkspace<T>& w, T* power) const {
+    const ForceElements<R>& elements = system_.elements();
+    const auto frame = [&](std::size_t body) -> const PlanarFrame<T>& { return system_.frame(body, w); };
+    power[static_cast<std::size_t>(LedgerTerm::loads)] += elements.template load_power<T>(t, frame);
+    if (elements.has_dampers())
+      power[static_cast<std::size_t>(LedgerTerm::dampers)] = elements.template damper_power<T>(frame);
   }
 
   const PlanarSystem<R>& system_;

@@ -107,6 +107,26 @@ void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& ma
 
 }  // namespace detail
 
+namespace detail {
+
+/// In systems of so many rows full decompositions take longer than a run.
+inline constexpr std::size_t many_rows = 100;
+
+/// Are the rows of an evaluated workspace independent beyond doubt, and is the Schur complement factorised? Each has then
+/// more than 1e-4 (sine of its angle) that those before it have not; 1e-9 count.
+template <class R>
+bool has_many_clear_rows(const PlanarSystem<R>& system, SystemWorkspace<R>& w) {
+  if (system.constraint_rows() < many_rows) return false;
+  try {
+    system.factorise(w);
+  } catch (const SingularConstraints&) {
+    return false;
+  }
+  return w.schur.least_share() > R(1e-8);
+}
+
+}  // namespace detail
+
 /// Moves a start onto the constraints: Gauss–Newton steps of least kinetic-energy norm for q, one linear step for q̇.
 /// @param length  the size of the mechanism, of which a relative 1e-9 counts as fulfilled [m]
 /// @throws ConstraintError  redundant constraints (with rank), or no position fulfils them all (with the worst)
@@ -120,8 +140,15 @@ StartCorrection<R> assemble_start(const PlanarSystem<R>& system, const R& t, con
   const std::size_t n = system.coordinates();
   const std::vector<R> start = y;
   SystemWorkspace<R> w = system.template workspace<R>();
-  const auto scaled_step = [&](const detail::DenseMatrix<R>& matrix, const DenseVector<R>& residual, R* x) {
+  const auto scaled_step = [&](const DenseVector<R>& residual, R* x) {
     using std::sqrt;
+    if (detail::has_many_clear_rows(system, w)) {  // the same step
+      std::vector<R> mu(residual.data(), residual.data() + residual.size());
+      w.schur.solve(mu.data());
+      system.subtract_constraint_forces(w.rows, mu.data(), x);
+      return;
+    }
+    const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
     Eigen::CompleteOrthogonalDecomposition<detail::DenseMatrix<R>> decomposition;
     decomposition.setThreshold(R(1e-9));
     decomposition.compute(matrix);
@@ -142,13 +169,13 @@ StartCorrection<R> assemble_start(const PlanarSystem<R>& system, const R& t, con
     // To rounding of the mechanism's own size; the last step is taken anyway.
     if (size <= 4 * std::numeric_limits<R>::epsilon() * length) break;
     if (iteration > 8 && size < R(1e-9) * length && size >= before / 2) break;
-    scaled_step(detail::scaled_constraint_matrix(system, w), residual, y.data());
+    scaled_step(residual, y.data());
   }
   system.evaluate_kinematics(t, y.data(), w);
-  const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
   for (Eigen::Index i = 0; i < rows; ++i) residual(i) = w.rows[static_cast<std::size_t>(i)].value;
   size = residual.cwiseAbs().maxCoeff(&worst);
   if (!(size <= R(1e-9) * length)) {
+    const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
     Eigen::ColPivHouseholderQR<detail::DenseMatrix<R>> decomposition(matrix.transpose());
     decomposition.setThreshold(R(1e-9));
     std::ostringstream message;
@@ -160,9 +187,10 @@ StartCorrection<R> assemble_start(const PlanarSystem<R>& system, const R& t, con
     throw ConstraintError(message.str());
   }
   for (Eigen::Index i = 0; i < rows; ++i) residual(i) = system.constraint_rate(static_cast<std::size_t>(i), w);
-  scaled_step(matrix, residual, y.data() + n);
+  scaled_step(residual, y.data() + n);
   system.evaluate_kinematics(t, y.data(), w);  // γ is of the velocities
-  detail::require_independent(system, matrix, w);
+  if (!detail::has_many_clear_rows(system, w))
+    detail::require_independent(system, detail::scaled_constraint_matrix(system, w), w);
 
   const auto larger = [](R& largest, const R& value) { largest = std::max<R>(largest, abs(value)); };
   for (std::size_t b = 0; b < n / 3; ++b) {

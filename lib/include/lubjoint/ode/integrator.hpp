@@ -10,6 +10,9 @@
 
 namespace lubjoint {
 
+template <class State>
+struct StepInterpolant;
+
 /// In place of a number of states: it is known when the program runs.
 inline constexpr std::size_t run_time_size = 0;
 
@@ -83,6 +86,10 @@ class Integrator {
   /// Replaces f at the end of the last step by the method's own derivative there, if it has a better one: in a stiff
   /// system f is what the step left of its error times the largest eigenvalue, and useless between the steps.
   virtual void refine_end_rate(State&) const {}
+
+  /// Gives the last step the motion inside it as the method sees it, if it sees more than the states at its ends and
+  /// their rates, which are there.
+  virtual void see_inside(StepInterpolant<State>&) {}
 
   /// Is the rate at the ends of a step good enough to interpolate accelerations by?
   virtual bool has_smooth_rates() const { return true; }

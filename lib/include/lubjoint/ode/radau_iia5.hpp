@@ -16,6 +16,16 @@
 
 namespace lubjoint {
 
+/// Linear systems of a step with the Jacobian as a full matrix.
+template <class R, std::size_t N>
+struct FullLinear {
+  static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);  ///< of Eigen's matrices
+  using Jacobian = Eigen::Matrix<R, dimension, dimension>;                                      ///< ∂f/∂y
+  using Solver = ShiftedSolver<R, dimension>;  ///< solves for the stages and the estimate
+  /// Takes the memory for n states.
+  static void prepare(Jacobian& jacobian, Eigen::Index n) { jacobian.setZero(n, n); }
+};
+
 /// Three-stage Radau IIA, order 5, L-stable, with step-size control: a controlled stepper in Odeint's sense, so that
 /// it runs in Odeint's integrate functions. The system is a pair (f, jacobian) as for Odeint's rosenbrock4:
 ///   f(x, dxdt, t) and jacobian(x, J, t), J an Eigen::Matrix<R, N, N>; time derivatives are not needed.
@@ -27,7 +37,8 @@ namespace lubjoint {
 /// A trial state at which f throws std::domain_error, or that is not finite, is a failed step: it is halved.
 /// @tparam R  double, long double, or a Boost.Multiprecision number
 /// @tparam N  number of states; run_time_size: as many as the tolerances that it is made with, in std::vector
-template <class R, std::size_t N>
+/// @tparam Linear  how the Jacobian is kept and its systems are solved
+template <class R, std::size_t N, class Linear = FullLinear<R, N>>
 class RadauIIA5 {
  public:
   /// What Odeint asks of a stepper.
@@ -41,8 +52,8 @@ class RadauIIA5 {
   /// @}
   /// Of Eigen's matrices.
   static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);
-  using Vector = Eigen::Matrix<R, dimension, 1>;          ///< a state
-  using Matrix = Eigen::Matrix<R, dimension, dimension>;  ///< a Jacobian
+  using Vector = Eigen::Matrix<R, dimension, 1>;  ///< a state
+  using Matrix = typename Linear::Jacobian;       ///< a Jacobian
 
   static constexpr order_type order() { return 5; }  ///< of the solution
 
@@ -65,7 +76,7 @@ class RadauIIA5 {
     }
     using std::sqrt;
     // Work of every size at once: no step allocates, and a copy copies numbers.
-    jacobian_.setZero(size(), size());
+    Linear::prepare(jacobian_, size());
     for (Vector* v : {&scale_, &f_, &f_end_, &right_, &solution_}) v->setZero(size());
     for (Stages* stages : {&z_, &z_old_, &w_, &g_, &change_}) {
       for (Vector& v : *stages) v.setZero(size());
@@ -397,7 +408,7 @@ class RadauIIA5 {
   Matrix jacobian_;
   R factorised_for_ = 0;
   R longest_ = 0;  ///< beyond this length Newton's iterations have lately diverged
-  ShiftedSolver<R, dimension> solver_;
+  typename Linear::Solver solver_;
   Stages z_;
   R newton_rate_ = 0;
   R h_accepted_ = 0;

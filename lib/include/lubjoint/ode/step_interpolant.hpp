@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <type_traits>
+#include <vector>
 
 namespace lubjoint {
 
@@ -24,6 +27,12 @@ struct StepInterpolant {
   State rate_new{};                      ///< ẏ at its end
   bool smooth_rates = true;              ///< Integrator::has_smooth_rates
   bool shortened = false;                ///< it ends at an event, with a rate that is not the method's own
+  struct Nothing {};
+  /// inside(t, y) puts the motion that the method itself sees in place of the polynomials', from which it starts; none:
+  /// they are all there is.
+  [[no_unique_address]] std::conditional_t<std::is_same_v<State, std::vector<R>>,
+                                           std::function<void(const R&, State&)>, Nothing>
+      inside = {};
 
   /// The state at a time inside the step.
   /// @param n  number of coordinates
@@ -57,6 +66,9 @@ struct StepInterpolant {
     }
     for (std::size_t i = 2 * n; i < y.size(); ++i) {
       y[i] += cubic(y_new[i] - y_old[i], h * rate_old[i], h * rate_new[i], s);
+    }
+    if constexpr (!std::is_same_v<decltype(inside), Nothing>) {
+      if (inside) inside(t, y);
     }
   }
 

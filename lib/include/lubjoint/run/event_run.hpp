@@ -130,6 +130,7 @@ class EventRun {
       step_.y_old = y;
       step_.rate_old = step_.rate_new;
       step_.shortened = false;
+      step_.inside = {};
       const R wanted = dt;
       const R goal = next_stop(t);
       const bool last = dt >= goal - t;
@@ -166,6 +167,7 @@ class EventRun {
             step_.t_new = t;
             step_.y_new = y;
             step_.shortened = true;
+            step_.inside = {};
             system_.equations().rate(y, step_.rate_new, t);
             if (!observe(step_, stepped_at, stepped_at)) return {RunEnd::refused, 0};
           } else if (++at_once > most_at_once) {
@@ -184,6 +186,7 @@ class EventRun {
           system_.equations().rate(y, step_.rate_new, t);
           method_.refine_end_rate(step_.rate_new);
           step_.y_new = y;
+          method_.see_inside(step_);
         }
       }
       if (!observe(step_, state_at, stepped_at)) return {RunEnd::refused, 0};
@@ -268,6 +271,7 @@ class EventRun {
       return false;
     }
     method_.refine_end_rate(step_.rate_new);
+    method_.see_inside(step_);
     return true;
   }
 

@@ -18,6 +18,8 @@ struct RunOutcome {
   RunStatus status = RunStatus::finished;  ///< did it reach its end?
   std::string integrator;                  ///< that ran
   std::string integrator_reason;           ///< why it was chosen; empty if the scene names it
+  std::string coordinates;                 ///< of a mechanism: "independent" or "absolute"; empty of a journal alone
+  std::string coordinates_reason;          ///< why they were chosen; empty if the scene names them
   std::string message;              ///< why a run stopped: time, joint, ε, and what to change; empty if it finished
   double t_end = 0;                 ///< [s]
   std::size_t steps = 0;            ///< accepted

@@ -133,6 +133,14 @@ struct SceneStabilisation {
   double alpha = 5;              ///< [1/s]; common values in the literature lie from 1 to 20
   double beta = 5;               ///< [1/s]
   bool passes_singular = false;  ///< does a run go on where constraints are not independent?
+  bool asked = false;            ///< does the scene ask for it, or is it the default?
+};
+
+/// The coordinates that a mechanism is integrated in.
+enum class SceneCoordinates {
+  automatic,    ///< independent ones where they are few, absolute ones else
+  independent,  ///< as many functions of the bodies' coordinates as there are degrees of freedom
+  absolute      ///< all coordinates of all bodies, with multipliers (eq. 41)
 };
 
 /// A mechanism, what acts on it, and how it is to be run.
@@ -146,7 +154,8 @@ struct Scene {
   std::vector<SceneConstraint> constraints;  ///< ideal joints, guides and drivers
   std::vector<SceneSpring> springs;          ///< with dampers
   std::vector<Sensor> sensors;               ///< what is measured beside bodies, joints and drivers
-  SceneStabilisation stabilisation;          ///< how the constraints are kept
+  SceneStabilisation stabilisation;          ///< how the constraints are kept in absolute coordinates
+  SceneCoordinates coordinates = SceneCoordinates::automatic;  ///< that a mechanism is integrated in
   bool energy_ledger = false;                ///< keep account of work and energy?
   std::string integrator = "radau_iia5";     ///< its name
   RunSettings run;                           ///< duration, tolerances, output

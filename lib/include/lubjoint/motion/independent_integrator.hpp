@@ -1,0 +1,170 @@
+/// Steps in coordinates that the constraints leave free, for a run that knows all coordinates.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "lubjoint/motion/independent_ode.hpp"
+#include "lubjoint/ode/integrator.hpp"
+#include "lubjoint/ode/step_interpolant.hpp"
+
+namespace lubjoint {
+
+/// An integrator of (q, q̇, work) that makes its steps with another one in the functions of the present chart. States at
+/// the ends of steps fulfil the constraints to rounding. A chart that wears out is replaced between two steps.
+/// @tparam N  number of states in a chart's functions, or run_time_size
+template <class R, std::size_t N>
+class IndependentIntegrator final : public Integrator<R, run_time_size> {
+ public:
+  using Base = Integrator<R, run_time_size>;                              ///< what it is
+  using Method = Integrator<R, N>;                                        ///< what it steps with
+  using System = OdeSystem<R, run_time_size>;                             ///< in all coordinates
+  using State = std::vector<R>;                                           ///< (q, q̇, work)
+  using FullTolerance = StepTolerance<R, run_time_size>;                  ///< of all states
+  using Tolerance = StepTolerance<R, N>;                                  ///< of the chart's
+  using Make = std::function<std::unique_ptr<Method>(const Tolerance&)>;  ///< makes the method
+
+  /// @param ode  whose equations are integrated, kept by reference;  @param tolerance  of all states
+  /// @param of_joints  tolerance of each joint's eccentricity and of its rate [m, m/s]
+  IndependentIntegrator(MultibodyOde<R>& ode, FullTolerance tolerance, std::vector<std::array<R, 2>> of_joints,
+                        Make make)
+      : tolerance_(std::move(tolerance)),
+        of_joints_(std::move(of_joints)),
+        make_(std::move(make)),
+        coordinates_(ode.system().coordinates()),
+        small_(ode, {tolerance_.absolute.begin(),
+                     tolerance_.absolute.begin() + static_cast<std::ptrdiff_t>(coordinates_)}) {
+    Tolerance some = tolerance_of_chart();
+    for (std::size_t i = 0; i < some.absolute.size(); ++i) some.absolute[i] = R(1);
+    method_ = make_(some);
+  }
+
+  bool try_step(System&, State& y, R& t, R& dt) override {
+    const R before = t;
+    try {
+      if (!chosen_) choose(t, y);
+      if (y != stepped_) small_.take(y, x_);  // else x_ is the method's own, which goes on from it
+      const auto start = x_;
+      if (!method_->try_step(small_, x_, t, dt)) {
+        x_ = start;
+        return false;
+      }
+      small_.expand(t, x_, stepped_);
+    } catch (const std::domain_error&) {
+      t = before;
+      dt /= 2;
+      stepped_.clear();
+      method_->reset();
+      ++failed_;
+      return false;
+    }
+    y = stepped_;
+    if (small_.chart().wear() < R(worn_out)) chosen_ = false;
+    return true;
+  }
+  void reset() override { method_->reset(); }
+  std::unique_ptr<Base> fresh() const override {
+    return std::unique_ptr<Base>(new IndependentIntegrator(*this));
+  }
+  void refine_end_rate(State& rate) const override {
+    small_.take_rate(rate, x_rate_);
+    method_->refine_end_rate(x_rate_);
+    small_.expand_rate(x_rate_, rate);
+  }
+  /// Between its ends z is the polynomial: q's would have errors of the size of the whole motion, in films a thousand
+  /// times thinner.
+  void see_inside(StepInterpolant<State>& step) override {
+    if (!chosen_at_) return;
+    auto chart = std::make_shared<StepInterpolant<std::vector<R>>>();
+    chart->t_old = step.t_old;
+    chart->t_new = step.t_new;
+    chart->smooth_rates = step.smooth_rates;
+    chosen_at_->see(step.y_old, step.rate_old, chart->y_old, chart->rate_old);
+    chosen_at_->see(step.y_new, step.rate_new, chart->y_new, chart->rate_new);
+    step.inside = [chart, expand = chosen_at_](const R& t, State& y) {
+      try {
+        expand->correct(t, *chart, y);
+      } catch (const SingularConstraints&) {  // the polynomials' then
+      }
+    };
+  }
+  bool has_smooth_rates() const override { return method_->has_smooth_rates(); }
+  std::size_t looks_inside() const override { return method_->looks_inside(); }
+  StepperCounts counts() const override {
+    StepperCounts sum = method_->counts();
+    sum.accepted += earlier_.accepted;
+    sum.rejected += earlier_.rejected + failed_;
+    sum.jacobians += earlier_.jacobians;
+    sum.factorisations += earlier_.factorisations;
+    sum.newton_iterations += earlier_.newton_iterations;
+    return sum;
+  }
+  std::size_t charts() const { return charts_; }  ///< chosen so far
+
+ private:
+  /// Share of their first size below which pivots ask for another choice.
+  static constexpr double worn_out = 0.2;
+
+  /// The same chart, and no memory of steps.
+  IndependentIntegrator(const IndependentIntegrator& other)
+      : tolerance_(other.tolerance_),
+        of_joints_(other.of_joints_),
+        make_(other.make_),
+        coordinates_(other.coordinates_),
+        small_(other.small_),
+        method_(other.method_->fresh()),
+        functions_(other.functions_),
+        x_(other.x_),
+        chosen_at_(other.chosen_at_),
+        chosen_(other.chosen_) {}
+
+  /// Of a chart's functions and of works; before a choice of the right size only.
+  Tolerance tolerance_of_chart() const {
+    Tolerance tolerance{tolerance_.relative, {}, tolerance_.nominal, tolerance_.integrals};
+    if constexpr (N == run_time_size) tolerance.absolute.resize(small_.dimension());
+    const std::size_t f = small_.freedoms();
+    for (std::size_t k = 0; chosen_ && k < f; ++k) {
+      for (const std::size_t rate : {std::size_t(0), std::size_t(1)}) {
+        tolerance.absolute[rate * f + k] =
+            small_.chart().is_of_joint(k) ? of_joints_[small_.chart().joint_of(k)][rate]
+                                          : tolerance_.absolute[rate * coordinates_ + small_.chart().coordinate_of(k)];
+      }
+    }
+    for (std::size_t i = 2 * coordinates_; i < tolerance_.absolute.size(); ++i)
+      tolerance.absolute[2 * f + i - 2 * coordinates_] = tolerance_.absolute[i];
+    return tolerance;
+  }
+
+  void choose(const R& t, const State& y) {
+    small_.choose(t, y);
+    chosen_at_ = std::make_shared<IndependentOde<R, N>>(small_);
+    ++charts_;
+    chosen_ = true;
+    if (small_.chart().chosen() == functions_) return;  // in another order: the method need not know
+    functions_ = small_.chart().chosen();
+    earlier_ = counts();
+    failed_ = 0;
+    stepped_.clear();
+    method_ = make_(tolerance_of_chart());
+  }
+
+  FullTolerance tolerance_;
+  std::vector<std::array<R, 2>> of_joints_;
+  Make make_;
+  std::size_t coordinates_;
+  mutable IndependentOde<R, N> small_;
+  std::unique_ptr<Method> method_;
+  std::vector<std::size_t> functions_;  ///< of the chart that the method steps in
+  typename IndependentOde<R, N>::State x_{};
+  std::shared_ptr<IndependentOde<R, N>> chosen_at_;  ///< in the present chart, for looks between steps
+  State stepped_;
+  mutable typename IndependentOde<R, N>::State x_rate_{};
+  bool chosen_ = false;
+  std::size_t charts_ = 0;
+  std::size_t failed_ = 0;
+  StepperCounts earlier_;
+};
+
+}  // namespace lubjoint

@@ -1,0 +1,282 @@
+/// Functions of the coordinates that the constraints leave free, and how all coordinates follow from them.
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "lubjoint/multibody/listed_lu.hpp"
+#include "lubjoint/multibody/planar_system.hpp"
+
+namespace lubjoint {
+
+/// As many functions z = C(q) as there are degrees of freedom: the eccentricities of lubricated joints as far as they
+/// are independent, which stay of the size of a clearance while the bodies move by a thousand of them; then coordinates
+/// of bodies. With the constraints they are a square system
+///   Φ(q, t) = 0,  C(q) = z
+/// whose Jacobian A = [Φq; C] is factorised in the order that was found when the chart was chosen. A chart is worn out
+/// where a pivot has become small; another choice then takes over.
+template <class R>
+class CoordinateChart {
+ public:
+  /// @param units  in which the coordinates of the bodies are comparable: one for every coordinate
+  CoordinateChart(const PlanarSystem<R>& system, std::vector<R> units)
+      : system_(&system), units_(std::move(units)), m_(system.constraint_rows()), n_(system.coordinates()) {
+    for (const JointElement<R>& joint : system.joints()) {
+      candidates_.push_back({0, joint.bearing_at.body, joint.journal_at.body});
+      candidates_.push_back({1, joint.bearing_at.body, joint.journal_at.body});
+      pins_.push_back({joint.bearing_at, joint.journal_at});
+    }
+    for (std::size_t i = 0; i < n_; ++i) candidates_.push_back({i % 3, i / 3, ground_body});
+  }
+
+  std::size_t freedoms() const { return n_ - m_; }  ///< number of functions
+
+  /// Numbers of the functions: compares charts.
+  const std::vector<std::size_t>& chosen() const { return chosen_; }
+  /// Is function k one of a joint's eccentricity? Then [m], else in the unit of coordinate_of(k).
+  bool is_of_joint(std::size_t k) const { return chosen_[k] < 2 * pins_.size(); }
+  /// The joint of function k.
+  std::size_t joint_of(std::size_t k) const { return chosen_[k] / 2; }
+  /// The coordinate that function k is.
+  std::size_t coordinate_of(std::size_t k) const { return chosen_[k] - 2 * pins_.size(); }
+
+  /// The functions' rows at the frames of a workspace, freedoms() of them: z and its derivatives; γ_C of C q̈ = z̈ + γ_C.
+  template <class T>
+  void evaluate(const T* y, const SystemWorkspace<T>& w, ConstraintRow<T>* rows) const {
+    std::array<ConstraintRow<T>, 2> both;
+    std::size_t done = std::numeric_limits<std::size_t>::max();
+    for (std::size_t k = 0; k < freedoms(); ++k) {
+      const Candidate& c = candidates_[chosen_[k]];
+      if (is_of_joint(k)) {
+        if (const std::size_t pin = joint_of(k); pin != done) {
+          pins_[pin].evaluate(system_->frame(c.first, w), system_->frame(c.second, w), R(0), both.data());
+          done = pin;
+        }
+        rows[k] = both[c.part];
+      } else {
+        rows[k] = {y[coordinate_of(k)], T(0), T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
+        rows[k].first[c.part] = T(1);
+      }
+    }
+  }
+
+  /// Numbers of the bodies of function k, as of a constraint's row.
+  std::pair<std::size_t, std::size_t> bodies_of(std::size_t k) const {
+    return {candidates_[chosen_[k]].first, candidates_[chosen_[k]].second};
+  }
+
+  /// Chooses at a state that fulfils the constraints. @returns false where they are not independent
+  bool choose(const R& t, const R* y, SystemWorkspace<R>& w) {
+    system_->evaluate_kinematics(t, y, w);
+    if (!choose_functions(y, w)) return false;
+    sides_.clear();
+    for (std::size_t i = 0; i < m_; ++i)
+      sides_.push_back({system_->first_body_of_row(i), system_->second_body_of_row(i)});
+    for (std::size_t k = 0; k < freedoms(); ++k) sides_.push_back(bodies_of(k));
+    std::vector<ConstraintRow<R>> rows = all_rows(y, w);
+    std::vector<R> a = scattered(rows);
+    for (std::size_t i = 0; i < n_; ++i) {
+      R size(0);
+      for (std::size_t j = 0; j < n_; ++j) size = std::max<R>(size, size_of(a[i * n_ + j] * units_[j]));
+      if (!(size > 0)) return false;
+      for (std::size_t j = 0; j < n_; ++j) a[i * n_ + j] *= units_[j] / size;
+    }
+    std::vector<Number> places(n_ * n_, ListedLu<R>::none);
+    const std::vector<bool> may_differ = pattern();
+    for_each_entry([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
+      if (may_differ[row * n_ + column])
+        places[row * n_ + column] = static_cast<Number>(row * row_numbers + first_derivative + 3 * second + k);
+    });
+    if (!lu_.find_order(n_, std::move(a), places, n_ * row_numbers)) return false;
+    numbers_.assign(lu_.storage(), R(0));
+    for (std::size_t row = 0; row < n_; ++row) put(row, rows[row]);
+    factorise();
+    first_inverse_pivots_.resize(n_);
+    for (std::size_t k = 0; k < n_; ++k) first_inverse_pivots_[k] = size_of(lu_.inverse_pivot(k, numbers_.data()));
+    return true;
+  }
+
+  /// Takes a row of A, of the constraints or, from number m on, of the functions, at new places.
+  void put(std::size_t row, const ConstraintRow<R>& from) {
+    R* numbers = numbers_.data() + row * row_numbers;
+    numbers[0] = from.value;
+    numbers[1] = from.time_rate;
+    for (std::size_t k = 0; k < 3; ++k) {
+      numbers[first_derivative + k] = from.first[k];
+      numbers[first_derivative + 3 + k] = from.second[k];
+    }
+  }
+  const R& value(std::size_t row) const { return numbers_[row * row_numbers]; }          ///< of a row: Φ or z
+  const R& time_rate(std::size_t row) const { return numbers_[row * row_numbers + 1]; }  ///< Φt
+
+  /// Factors of the rows that were put.
+  void factorise() { lu_.factorise(numbers_.data()); }
+
+  /// Solves A x = b. V: R, or several right-hand sides at once.
+  /// @param b  of the constraints' rows, then of the functions;  @param work  as many
+  template <class V>
+  void solve(const V* b, V* x, V* work) const {
+    lu_.solve(numbers_.data(), b, x, work);
+  }
+  /// Solves Aᵀ x = b.
+  template <class V>
+  void solve_transposed(const V* b, V* x, V* work) const {
+    lu_.solve_transposed(numbers_.data(), b, x, work);
+  }
+
+  /// How much smaller than when they were chosen the pivots have become: 1 for a fresh chart, 0 where it ends.
+  R wear() const {
+    R most(1);
+    for (std::size_t k = 0; k < n_; ++k)
+      most = std::max<R>(most, size_of(lu_.inverse_pivot(k, numbers_.data())) / first_inverse_pivots_[k]);
+    return 1 / most;
+  }
+
+ private:
+  using Number = typename ListedLu<R>::Number;
+  struct Candidate {
+    std::size_t part;  // 0, 1: of a joint; 0, 1, 2: of a body
+    std::size_t first;
+    std::size_t second;
+  };
+  /// A row among the numbers: value, time rate, derivatives of the first body, of the second, which factors replace.
+  static constexpr std::size_t row_numbers = 8;
+  static constexpr std::size_t first_derivative = 2;
+
+  static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
+
+  template <class Put>
+  static void for_each_side(const ConstraintRow<R>& row, std::size_t first, std::size_t second, const Put& put) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (first != ground_body) put(3 * first + k, row.first[k]);
+      if (second != ground_body) put(3 * second + k, row.second[k]);
+    }
+  }
+
+  ConstraintRow<R> row_of(std::size_t candidate, const R* y, const SystemWorkspace<R>& w) const {
+    const Candidate& c = candidates_[candidate];
+    if (candidate < 2 * pins_.size()) {
+      std::array<ConstraintRow<R>, 2> both;
+      pins_[candidate / 2].evaluate(system_->frame(c.first, w), system_->frame(c.second, w), R(0), both.data());
+      return both[c.part];
+    }
+    ConstraintRow<R> row{y[3 * c.first + c.part], R(0), R(0), {R(0), R(0), R(0)}, {R(0), R(0), R(0)}};
+    row.first[c.part] = R(1);
+    return row;
+  }
+
+  /// Those whose derivatives along the free directions are largest, one after the other, each without what the earlier
+  /// ones have of it; eccentricities first.
+  bool choose_functions(const R* y, const SystemWorkspace<R>& w) {
+    using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+    const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+    const Eigen::Index n = index(n_);
+    Matrix phi = Matrix::Zero(index(m_), n);
+    for (std::size_t i = 0; i < m_; ++i) {
+      for_each_side(w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i),
+                    [&](std::size_t column, const R& value) { phi(index(i), index(column)) += value * units_[column]; });
+      const R size = phi.row(index(i)).norm();
+      if (!(size > 0)) return false;
+      phi.row(index(i)) /= size;
+    }
+    Matrix free = Matrix::Identity(n, n);
+    if (m_ > 0) {  // an orthonormal basis of what Φq leaves free
+      Eigen::ColPivHouseholderQR<Matrix> qr(phi.transpose());
+      qr.setThreshold(R(1e-9));  // as in the rank of a start's constraints
+      if (qr.rank() < index(m_)) return false;
+      free = Matrix(qr.householderQ() * Matrix::Identity(n, n)).rightCols(n - index(m_));
+    }
+    std::vector<Vector> shadows(candidates_.size());
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+      Vector row = Vector::Zero(n);
+      for_each_side(row_of(c, y, w), candidates_[c].first, candidates_[c].second,
+                    [&](std::size_t column, const R& value) { row(index(column)) += value * units_[column]; });
+      const R size = row.norm();
+      shadows[c] = free.transpose() * row / (size > 0 ? size : R(1));
+    }
+    chosen_.clear();
+    for (const bool of_joints : {true, false}) {
+      const std::size_t begin = of_joints ? 0 : 2 * pins_.size();
+      const std::size_t end = of_joints ? 2 * pins_.size() : candidates_.size();
+      while (chosen_.size() < freedoms()) {
+        std::size_t largest = end;
+        R size(0);
+        for (std::size_t c = begin; c < end; ++c) {
+          if (const R left = shadows[c].norm(); left > size) {
+            size = left;
+            largest = c;
+          }
+        }
+        // An eccentricity that others almost fix is left to a coordinate; a coordinate is taken as it comes.
+        if (largest == end || !(size > R(of_joints ? 0.02 : 1e-6))) break;
+        chosen_.push_back(largest);
+        const Vector direction = shadows[largest] / size;
+        for (Vector& each : shadows) each -= direction.dot(each) * direction;
+      }
+    }
+    if (chosen_.size() < freedoms()) return false;
+    std::sort(chosen_.begin(), chosen_.end());
+    return true;
+  }
+
+  template <class Put>
+  void for_each_entry(const Put& put) const {
+    for (std::size_t row = 0; row < n_; ++row) {
+      for (const bool second : {false, true}) {
+        const std::size_t body = second ? sides_[row].second : sides_[row].first;
+        if (body == ground_body) continue;
+        for (std::size_t k = 0; k < 3; ++k) put(row, second, k, 3 * body + k);
+      }
+    }
+  }
+
+  std::vector<ConstraintRow<R>> all_rows(const R* y, const SystemWorkspace<R>& w) const {
+    std::vector<ConstraintRow<R>> rows = w.rows;
+    rows.resize(n_);
+    evaluate(y, w, rows.data() + m_);
+    return rows;
+  }
+
+  std::vector<R> scattered(const std::vector<ConstraintRow<R>>& rows) const {
+    std::vector<R> a(n_ * n_, R(0));
+    for_each_entry([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
+      a[row * n_ + column] += (second ? rows[row].second : rows[row].first)[k];
+    });
+    return a;
+  }
+
+  /// Elements that may differ from zero: those that do at two places without any symmetry.
+  std::vector<bool> pattern() const {
+    std::vector<bool> result(n_ * n_, false);
+    SystemWorkspace<R> w = system_->template workspace<R>();
+    std::vector<R> y(2 * n_);
+    for (const double seed : {0.37, 1.91}) {
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = R(std::sin(seed + 1.7 * static_cast<double>(i * i + i)));
+      system_->evaluate_kinematics(R(0), y.data(), w);
+      const std::vector<R> a = scattered(all_rows(y.data(), w));
+      for (std::size_t i = 0; i < a.size(); ++i) result[i] = result[i] || a[i] != 0;
+    }
+    return result;
+  }
+
+  const PlanarSystem<R>* system_;
+  std::vector<R> units_;
+  std::size_t m_, n_;
+  std::vector<Revolute<R>> pins_;  ///< of the joints: a pin's Φ is the eccentricity
+  std::vector<Candidate> candidates_;
+  std::vector<std::size_t> chosen_;
+  std::vector<std::pair<std::size_t, std::size_t>> sides_;  ///< bodies of every row of A
+  ListedLu<R> lu_;
+  std::vector<R> numbers_;  ///< the rows and, behind them, fill
+  std::vector<R> first_inverse_pivots_;
+};
+
+}  // namespace lubjoint

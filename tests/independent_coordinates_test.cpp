@@ -1,0 +1,335 @@
+// Independent coordinates: the same motion as absolute ones, on the constraints to rounding, in fewer states.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "lubjoint/motion/independent_integrator.hpp"
+#include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/scene_coordinates.hpp"
+#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/simulate.hpp"
+#include "oracle/files/csv_table.hpp"
+#include "oracle/files/files.hpp"
+#include "support/scenes.hpp"
+
+using namespace lubjoint;
+using namespace lubjoint::test;
+using Catch::Contains;
+
+namespace {
+
+Scene shipped(const std::string& name) { return load_scene(LUBJOINT_SOURCE_DIR "/data/scenes/" + name + ".toml"); }
+
+/// Mechanisms of one, two and three freedoms.
+Scene slider_crank() { return shipped("slider-crank"); }
+Scene one_freedom() {
+  Scene scene = shipped("slider-crank-torque");
+  scene.stabilisation = {};
+  return scene;
+}
+Scene three_freedoms() {  // the crank turns freely
+  Scene scene = shipped("slider-crank");
+  std::erase_if(scene.constraints, [](const SceneConstraint& each) { return each.is_driver(); });
+  return scene;
+}
+
+struct Prepared {
+  explicit Prepared(const Scene& scene, bool ledger = false)
+      : system(planar_system<double>(scene)), ode(system, ledger), start(scene_start<double>(scene)) {
+    assemble_start(system, 0.0, scene_units(scene).mechanism, start);
+    start.resize(ode.dimension(), 0.0);
+    const double length = scene_units(scene).length;
+    for (std::size_t i = 0; i < system.coordinates(); ++i)
+      units.push_back(i % 3 == 2 ? length / scene_units(scene).mechanism : length);
+  }
+  PlanarSystem<double> system;
+  MultibodyOde<double> ode;
+  std::vector<double> start, units;
+};
+
+using SmallOde = IndependentOde<double, run_time_size>;
+
+/// (z, ż) of a start, moved: a film's eccentricities and velocities, or coordinates.
+std::vector<double> moved(SmallOde& small, const Prepared& prepared, const Scene& scene, double by) {
+  std::vector<double> x;
+  small.take(prepared.start, x);
+  const std::size_t f = small.freedoms();
+  for (std::size_t k = 0; k < f; ++k) {
+    const double size = small.chart().is_of_joint(k) ? scene.joints[small.chart().joint_of(k)].clearance : 0.1;
+    x[k] += by * size * (k % 2 ? -0.3 : 0.4);
+    x[f + k] += by * size * 100 * (k % 2 ? 0.7 : 0.2);
+  }
+  return x;
+}
+
+double largest_constraint(const PlanarSystem<double>& system, double t, const std::vector<double>& y) {
+  SystemWorkspace<double> w = system.workspace<double>();
+  system.evaluate_kinematics(t, y.data(), w);
+  double largest = 0;
+  for (const auto& row : w.rows) largest = std::max(largest, std::abs(row.value));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("listed LU: solutions are those of a dense solver, both ways, in the order found at another matrix") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const std::size_t n : {1, 2, 5, 9, 20}) {
+    CAPTURE(n);
+    std::vector<std::uint32_t> places(n * n, ListedLu<double>::none);
+    std::vector<double> first(n * n, 0.0);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j != (i * 7 + 3) % n && number(random) > -0.4) continue;
+        places[i * n + j] = count++;
+        first[i * n + j] = number(random) + (j == (i * 7 + 3) % n ? 3 : 0);
+      }
+    }
+    ListedLu<double> lu;
+    REQUIRE(lu.find_order(n, first, places, count));
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    std::vector<double> values(lu.storage());
+    for (std::size_t i = 0; i < n * n; ++i) {
+      if (places[i] == ListedLu<double>::none) continue;
+      const double value = first[i] * (1 + 0.1 * number(random));
+      values[places[i]] = value;
+      a(static_cast<Eigen::Index>(i / n), static_cast<Eigen::Index>(i % n)) = value;
+    }
+    lu.factorise(values.data());
+    Eigen::VectorXd b(static_cast<Eigen::Index>(n)), x = b, work = b;
+    for (Eigen::Index i = 0; i < b.size(); ++i) b(i) = number(random);
+    lu.solve(values.data(), b.data(), x.data(), work.data());
+    CHECK((a * x - b).norm() < 1e-12 * b.norm());  // pivots of a fifth: rounding grows by less than 5^k of few k
+    lu.solve_transposed(values.data(), b.data(), x.data(), work.data());
+    CHECK((a.transpose() * x - b).norm() < 1e-12 * b.norm());  // likewise
+  }
+  ListedLu<double> lu;
+  CHECK_FALSE(lu.find_order(2, {1, 2, 2, 4}, {0, 1, 2, 3}, 4));
+}
+
+TEST_CASE("independent coordinates: accelerations and reactions are those of the multipliers' equations") {
+  for (const Scene& scene : {slider_crank(), one_freedom(), three_freedoms()}) {
+    CAPTURE(scene.name);
+    Prepared prepared(scene, true);
+    SmallOde small(prepared.ode, prepared.units);
+    small.choose(0, prepared.start);
+    REQUIRE(small.freedoms() == prepared.system.coordinates() - prepared.system.constraint_rows());
+    const std::size_t n = prepared.system.coordinates();
+    const std::size_t f = small.freedoms();
+    for (const double t : {0.0, 1e-4}) {
+      const std::vector<double> x = moved(small, prepared, scene, 1);
+      std::vector<double> rate(x.size()), y, y_rate(prepared.ode.dimension()), expected(prepared.ode.dimension());
+      small.rate(x, rate, t);
+      small.expand(t, x, y);
+      CHECK(largest_constraint(prepared.system, t, y) < 2e-16);  // of mechanisms of 0.17 m
+      small.expand_rate(rate, y_rate);
+      prepared.ode.rate(y, expected, t);
+      double scale = 0;
+      for (std::size_t i = n; i < 2 * n; ++i) scale = std::max(scale, std::abs(expected[i]));
+      for (std::size_t i = n; i < 2 * n; ++i) CHECK(std::abs(y_rate[i] - expected[i]) < 1e-11 * scale);  // condition 1e4
+      for (std::size_t i = 2 * n; i < y.size(); ++i) {  // powers, with the driver's moment from its multiplier
+        const double size = std::max(1.0, std::abs(expected[i]));
+        CHECK(std::abs(rate[2 * f + i - 2 * n] - expected[i]) < 1e-10 * size);  // likewise, times speeds
+      }
+    }
+  }
+}
+
+TEST_CASE("independent coordinates: the exact Jacobian and slope in time are those of differences") {
+  for (const Scene& scene : {slider_crank(), one_freedom(), three_freedoms()}) {
+    CAPTURE(scene.name);
+    Prepared prepared(scene, true);
+    SmallOde small(prepared.ode, prepared.units);
+    small.choose(0, prepared.start);
+    const std::vector<double> x = moved(small, prepared, scene, 1);
+    const double t = 1e-4;
+    SmallOde::Jacobian exact;
+    small.jacobian(x, exact, t);
+    const auto size = static_cast<Eigen::Index>(x.size());
+    const std::size_t f = small.freedoms();
+    const auto difference = [&](auto&& at) {  // of order 4
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(size);
+      std::vector<double> rate(x.size());
+      for (const auto& [shift, weight] : {std::pair(1.0, 8.0), {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}) {
+        at(shift, rate);
+        sum += weight / 12 * Eigen::Map<Eigen::VectorXd>(rate.data(), size);
+      }
+      return sum;
+    };
+    for (std::size_t j = 0; j < 2 * f; ++j) {
+      const bool of_joint = small.chart().is_of_joint(j % f);
+      const double h = (of_joint ? scene.joints.front().clearance : 0.1) * 1e-3 * (j < f ? 1 : 100);
+      const Eigen::VectorXd column = difference([&](double shift, std::vector<double>& rate) {
+                                       std::vector<double> near = x;
+                                       near[j] += shift * h;
+                                       small.rate(near, rate, t);
+                                     }) /
+                                     h;
+      CAPTURE(j);
+      const Eigen::VectorXd given = exact.col(static_cast<Eigen::Index>(j));
+      CHECK((given - column).norm() < 1e-7 * column.norm());  // differences in steps of a thousandth lose so much
+    }
+    std::vector<double> slope(x.size());
+    small.time_slope(x, slope, t);
+    const double h = 1e-6;
+    const Eigen::VectorXd by_difference =
+        difference([&](double shift, std::vector<double>& rate) { small.rate(x, rate, t + shift * h); }) / h;
+    const Eigen::Map<Eigen::VectorXd> given(slope.data(), size);
+    CHECK((given - by_difference).norm() < 1e-6 * by_difference.norm() + 1e-3);  // rates of 1e5 lose 1e-16 / h in these
+  }
+}
+
+TEST_CASE("independent coordinates: the golden trajectories are followed at least as closely as in absolute ones") {
+  for (const char* name : {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4",
+                           "slider-crank-c0.2-mu0.04", "slider-crank-c0.5-mu0.04"}) {
+    CAPTURE(name);
+    Scene scene = shipped(name);
+    const std::string file = LUBJOINT_SOURCE_DIR "/data/golden/trajectories/" + std::string(name) + ".csv";
+    const reports::CsvTable golden(reports::read_input(file), name);
+    set_tolerance(scene, 1e-12);
+    scene.run.output_interval = golden.number(0, golden.column("t"));
+    std::array<double, 2> error{};
+    for (const SceneCoordinates coordinates : {SceneCoordinates::absolute, SceneCoordinates::independent}) {
+      scene.coordinates = coordinates;
+      const MultibodyTrajectory run = simulate_multibody(scene);
+      REQUIRE(run.outcome.status == RunStatus::finished);
+      REQUIRE(run.samples.size() == golden.rows() + 1);
+      double& worst = error[coordinates == SceneCoordinates::independent];
+      for (std::size_t row = 0; row < golden.rows(); ++row) {
+        const Vector2<double> e = run.samples[row + 1].joints[0].eccentricity / scene.joints[0].clearance;
+        const Vector2<double> expected(golden.number(row, golden.column("gudgeon-pin.ex_over_c")),
+                                       golden.number(row, golden.column("gudgeon-pin.ey_over_c")));
+        worst = std::max(worst, (e - expected).norm());
+      }
+    }
+    CHECK(error[1] < 1e-9);                         // a thousand tolerances, of thousands of steps
+    CHECK(error[1] < std::max(1e-11, 3 * error[0]));  // fewer steps at the same tolerance: of the same size
+  }
+}
+
+TEST_CASE("independent coordinates: constraints hold to rounding over 1000 revolutions, and the ledger closes") {
+  Scene scene = slider_crank();
+  scene.coordinates = SceneCoordinates::independent;
+  scene.energy_ledger = true;
+  scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-6;
+  const double turn = scene.run.duration / 2;
+  std::vector<double> residual;
+  for (const int turns : {100, 1000}) {
+    scene.run.duration = turns * turn;
+    scene.run.output_interval = scene.run.duration / 10;
+    const MultibodyTrajectory run = simulate_multibody(scene);
+    REQUIRE(run.outcome.status == RunStatus::finished);
+    // Angles of 6283 rad have steps of 9e-13, which Φ of the driver shows; lengths of 0.17 m those of 3e-17.
+    CHECK(run.drift.position < 2e-12);
+    residual.push_back(*run.energy_residual / run.energy_scale);
+  }
+  CHECK(residual[1] < 10 * residual[0] * 1.5);  // at most as the time
+}
+
+TEST_CASE("independent coordinates: a chart that wears out is replaced between two steps, unseen") {
+  // A crank-rocker: its rocker's angle is no coordinate where the coupler and the crank are in line.
+  Scene scene;
+  scene.file = scene.name = "crank-rocker";
+  const double crank = 0.1, coupler = 0.25, rocker = 0.2, base = 0.25;
+  const double diagonal = std::hypot(base, crank);  // the crank upright
+  const double at_base = std::acos((rocker * rocker + diagonal * diagonal - coupler * coupler) / (2 * rocker * diagonal));
+  const double angle = std::numbers::pi - std::atan2(crank, base) - at_base;
+  const Vector2<double> end(base + rocker * std::cos(angle), rocker * std::sin(angle));
+  const Vector2<double> pin(0, crank);
+  scene.bodies = {body("rocker", 0.2, 1e-3, 0.5 * (Vector2<double>(base, 0) + end)),
+                  body("coupler", 0.2, 1e-3, 0.5 * (pin + end)), body("crank", 1, 1e-2, 0.5 * pin)};
+  scene.bodies[0].angle = angle;
+  scene.bodies[1].angle = std::atan2(end.y() - pin.y(), end.x() - pin.x());
+  scene.bodies[2].angle = std::numbers::pi / 2;
+  scene.bodies[2].spin = 20;
+  scene.gravity = {0, -9.81};
+  const auto joint = [](const char* name, BodyPoint<double> first, BodyPoint<double> second) {
+    return SceneConstraint{name, Revolute<double>{first, second}};
+  };
+  scene.constraints = {joint("a", {ground_body, {0, 0}}, {2, {-crank / 2, 0}}),
+                       joint("b", {2, {crank / 2, 0}}, {1, {-coupler / 2, 0}}),
+                       joint("c", {1, {coupler / 2, 0}}, {0, {rocker / 2, 0}}),
+                       joint("d", {ground_body, {base, 0}}, {0, {-rocker / 2, 0}})};
+  scene.run.duration = 2;
+  scene.run.output_interval = 0.01;
+  set_tolerance(scene, 1e-11);
+  Prepared prepared(scene);
+  const std::vector<double> tolerances = scene_tolerances<double>(scene);
+  IndependentIntegrator<double, run_time_size> method(
+      prepared.ode, {0, tolerances, 1e-11, 0}, {},
+      [](const auto& tolerance) { return make_integrator<run_time_size>("radau_iia5", tolerance); });
+  std::vector<double> y = prepared.start;
+  double t = 0, dt = 1e-5, worst = 0;
+  while (t < scene.run.duration) {
+    dt = std::min(dt, scene.run.duration - t);
+    if (method.try_step(prepared.ode, y, t, dt)) worst = std::max(worst, largest_constraint(prepared.system, t, y));
+  }
+  CHECK(method.charts() > 4);  // a dozen turns
+  CHECK(worst < 3e-16);        // lengths of 0.25 m
+  scene.coordinates = SceneCoordinates::absolute;
+  scene.stabilisation.projection = true;
+  const MultibodyTrajectory run = simulate_multibody(scene);
+  REQUIRE(run.outcome.status == RunStatus::finished);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    CHECK(y[i] == Approx(run.samples.back().state[i]).margin(1e-7));  // two methods at 1e-11 over a dozen turns
+  }
+  scene.coordinates = SceneCoordinates::independent;
+  scene.stabilisation = {};
+  const MultibodyTrajectory other = simulate_multibody(scene);
+  for (std::size_t i = 0; i < run.samples.size(); ++i) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      CHECK(other.samples[i].state[k] == Approx(run.samples[i].state[k]).margin(1e-8));  // within steps, too
+    }
+  }
+}
+
+TEST_CASE("independent coordinates: auto picks them where they are few, and says why") {
+  const auto chosen = [](const Scene& scene) { return choose_coordinates(scene, planar_system<double>(scene)); };
+  CHECK(chosen(slider_crank()).independent);
+  CHECK(chosen(slider_crank()).reason == "2 degrees of freedom in 9 coordinates");
+  Scene scene = slider_crank();
+  scene.stabilisation.asked = true;
+  CHECK_FALSE(chosen(scene).independent);
+  CHECK_THAT(chosen(scene).reason, Contains("stabilisation"));
+  CHECK_FALSE(chosen(shipped("slider-crank-ideal")).independent);
+  CHECK(chosen(shipped("slider-crank-ideal")).reason.size() > 0);
+  scene = shipped("slider-crank-ideal");
+  scene.stabilisation = {};
+  CHECK(chosen(scene).reason == "the constraints prescribe all motion");
+  scene.coordinates = SceneCoordinates::independent;
+  CHECK_THROWS_WITH(chosen(scene), Contains("prescribe all motion") && Contains("\"absolute\""));
+  scene = slider_crank();
+  scene.coordinates = SceneCoordinates::absolute;
+  CHECK_FALSE(chosen(scene).independent);
+  CHECK(chosen(scene).reason.empty());
+}
+
+TEST_CASE("independent coordinates: what a scene may ask for is refused by name where it makes no sense") {
+  const std::string text = reports::read_input(LUBJOINT_SOURCE_DIR "/data/scenes/slider-crank.toml");
+  const auto with = [&](const std::string& value, const std::string& more = "") {
+    std::string changed = text;
+    const std::string line = "coordinates = \"auto\"";
+    changed.replace(changed.find(line), line.size(), "coordinates = " + value);
+    return changed + more;
+  };
+  CHECK(parse_scene(with("\"absolute\""), "s.toml").coordinates == SceneCoordinates::absolute);
+  CHECK(parse_scene(with("\"independent\""), "s.toml").coordinates == SceneCoordinates::independent);
+  CHECK_THROWS_WITH(parse_scene(with("\"minimal\""), "s.toml"),
+                    Contains("coordinates is \"minimal\"") && Contains("\"auto\", \"independent\" or \"absolute\""));
+  CHECK_THROWS_WITH(parse_scene(with("2"), "s.toml"), Contains("coordinates"));
+  CHECK_THROWS_WITH(parse_scene(with("\"independent\"", "[stabilisation]\nmethod = \"projection\"\n"), "s.toml"),
+                    Contains("beside a stabilisation table"));
+  const std::string journal = reports::read_input(LUBJOINT_SOURCE_DIR "/data/scenes/journal.toml");
+  for (const char* value : {"\"absolute\"", "\"independent\""}) {
+    CHECK_THROWS_WITH(parse_scene("coordinates = " + std::string(value) + "\n" + journal, "s.toml"),
+                      Contains("without constraints"));
+  }
+  CHECK_NOTHROW(parse_scene("coordinates = \"auto\"\n" + journal, "s.toml"));
+}
