@@ -99,7 +99,8 @@ TEST_CASE("sparse Jacobian: steps of Radau IIA are those with the full one") {
   }
   CHECK(full.counts().accepted == sparse.counts().accepted);
   CHECK(full.counts().newton_iterations == sparse.counts().newton_iterations);
-  CHECK(t_other == Approx(t_one).epsilon(1e-6));  // steps follow error estimates, which have the rounding of the factors
+  CHECK(t_other ==
+        Approx(t_one).epsilon(1e-6));  // steps follow error estimates, which have the rounding of the factors
   double apart = 0;
   const double dt = t_one - t_other;
   for (std::size_t i = 0; i < one.size() / 2; ++i)
@@ -111,10 +112,10 @@ TEST_CASE("long chains: a scene of 300 pendulums starts, runs and keeps its ener
   Scene scene = pendulum_chain(300, 0.05);
   scene.run.duration = 0.02;
   scene.run.output_interval = 0.01;
-  set_tolerance(scene, 1e-6);
+  set_tolerance(scene, 1e-9);
   const MultibodyTrajectory run = simulate_multibody(scene);
   REQUIRE(run.outcome.status == RunStatus::finished);
   CHECK(run.outcome.coordinates == "absolute");
   CHECK(run.outcome.coordinates_reason.find("300 degrees of freedom") == 0);
-  CHECK(*run.energy_residual < 1e-5 * run.energy_scale);  // ten tolerances
+  CHECK(*run.energy_residual < 1e-6 * run.energy_scale);  // a thousand tolerances; the rods fall by little in that time
 }

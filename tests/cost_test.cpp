@@ -106,7 +106,8 @@ TEST_CASE("cost: the journal's own equations cost less than half of the constrai
   CHECK(cost["left_out"][0]["ratio"].get<double>() > 2);  // 4 or more was measured; times of one run, in turn
 }
 
-TEST_CASE("cost: a chain's Schur complement grows as its length, and every cost of one in proportion, up to 1000 pendulums") {
+TEST_CASE(
+    "cost: a chain's Schur complement grows as its length, and every cost of one in proportion, up to 1000 pendulums") {
   const ProgramResult result = lubjoint_program({"cost", "--chain", "--json", "--rounds", "9"});
   INFO(result.err);
   REQUIRE(result.status == 0);

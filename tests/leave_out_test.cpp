@@ -101,7 +101,7 @@ TEST_CASE("a free journal on a smooth law holds no multipliers, no contact, no l
   const std::string journal = symbols_of(LUBJOINT_SMOOTH_JOURNAL_ALONE);
   const std::string mechanics = symbols_of(LUBJOINT_ENTERED_FUNCTIONS);
   CHECK(has(journal, "lubjoint::SmoothMode"));
-  CHECK(has(journal, "lubjoint::RadauIIA5<double, 4ul>"));
+  CHECK(has(journal, "lubjoint::RadauIIA5<double, 4ul, "));
   Words absent{"PlanarSystem", "EnvelopeCholesky", "ConstraintRow", "JointElement",
                "fill_powers",  "toms748",          "ContactPhase"};
   absent.insert(absent.end(), contact_functions.begin(), contact_functions.end());
@@ -178,8 +178,8 @@ TEST_CASE("a run projects its steps onto the constraints only if its scene asks 
   const TemporaryFolder folder;
   const std::string text = read_text(scenes + "slider-crank.toml");
   const std::string baumgarte = entered_by(scenes + "slider-crank.toml");
-  std::string projecting = changed(text, "method = \"baumgarte\"", "method = \"projection\"");
-  projecting = changed(changed(projecting, "alpha = 5.0", ""), "beta = 5.0", "");
+  const std::string projecting = changed(changed(text, "# [stabilisation]", "[stabilisation]"),
+                                         "# method = \"baumgarte\"", "method = \"projection\"");
   const std::string projection = entered_by(folder.write("projection.toml", projecting));
   CHECK(has(projection, "project_onto_constraints"));
   CHECK_FALSE(has(baumgarte, "project_onto_constraints"));

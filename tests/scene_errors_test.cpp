@@ -159,7 +159,7 @@ TEST_CASE("Scene: an unknown key is refused, and the nearest known one named") {
   check_refused(
       journal_text().replaced(journal_text().field("gravity"), "colour = 1"), 6,
       {"unknown key colour; allowed are dimension, name, gravity, duration, bodies, loads, joints, constraints, "
-       "springs, sensors, integrator, output"});
+       "springs, sensors, coordinates, integrator, output"});
 }
 
 TEST_CASE("Scene: a law or an integrator that is not there is refused with the list and the nearest") {

@@ -77,8 +77,10 @@ TEST_CASE("bad multibody scenes are refused: file, line, key, what was given, wh
   CHECK_THAT(crank("speed = ", "sped = "), Contains("speed is missing"));
   CHECK_THAT(crank("angle = 0.0 ", "angel = 0.0 "),
              Contains("unknown key") && Contains("did you mean constraints[3].angle"));
-  CHECK_THAT(crank("method = \"baumgarte\"", "method = \"magic\""), Contains("\"baumgarte\" or \"projection\""));
-  CHECK_THAT(crank("alpha = 5.0", "alpha = -1.0"), Contains("stabilisation.alpha is -1"));
+  const std::string stabilisation = "[stabilisation]\nmethod = ";
+  CHECK_THAT(crank("# [stabilisation]", stabilisation + "\"magic\""), Contains("\"baumgarte\" or \"projection\""));
+  CHECK_THAT(crank("# [stabilisation]", stabilisation + "\"baumgarte\"\nalpha = -1.0"),
+             Contains("stabilisation.alpha is -1"));
   CHECK_THAT(crank("energy_ledger = true", "energy_ledger = 1"), Contains("true or false"));
   CHECK_THAT(crank("mass = 0.21", "mass = -0.21"), Contains("bodies[1].mass"));
   CHECK_THAT(crank("first = {body = \"crank\"", "first = {body = \"rod\""), Contains("another body"));

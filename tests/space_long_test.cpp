@@ -16,6 +16,7 @@ using namespace lubjoint::test;
 
 TEST_CASE("space: the embedded slider-crank takes a few times the plane's time, and no more evaluations") {
   Scene flat = load_scene(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/slider-crank.toml");
+  flat.coordinates = SceneCoordinates::absolute;  // as space has
   set_tolerance(flat, 1e-6);
   SpatialScene space = Embedding(some_plane(3)).scene(flat);
   allow_what_is_redundant(space);

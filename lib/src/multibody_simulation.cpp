@@ -68,9 +68,8 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
   settings.knots = scene_knots(scene);
   const std::vector<double> tolerances = scene_tolerances<double>(scene);
   MultibodyRun<double> run(ode, settings,
-                           coordinates.independent
-                               ? independent_method(choice.name, scene, ode, scene.run, tolerances)
-                               : method_of(choice.name, scene.run, tolerances, ode),
+                           coordinates.independent ? independent_method(choice.name, scene, ode, scene.run, tolerances)
+                                                   : method_of(choice.name, scene.run, tolerances, ode),
                            coordinates.independent ? ConstraintUpkeep::by_accelerations : upkeep_of(scene),
                            options_of(scene));
   result.outcome = run.run(prepared.start);

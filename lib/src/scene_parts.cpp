@@ -195,7 +195,8 @@ SceneCoordinates read_coordinates(TableReader& root, const Scene& scene) {
   }
   if (name == "absolute") return SceneCoordinates::absolute;
   if (scene.stabilisation.asked) {
-    root.refuse("coordinates", in_quotes(name) + " beside a stabilisation table, which independent coordinates don't need",
+    root.refuse("coordinates",
+                in_quotes(name) + " beside a stabilisation table, which independent coordinates don't need",
                 "one of the two, or \"absolute\"");
   }
   return SceneCoordinates::independent;

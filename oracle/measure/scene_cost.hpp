@@ -58,7 +58,7 @@ struct SceneCost {
   std::vector<CostPart> parts;
   std::size_t jacobian_passes = 0;
   double jacobian_nanoseconds = 0;
-  double jacobian_ratio = 0;  ///< to one right-hand side
+  double jacobian_ratio = 0;           ///< to one right-hand side
   std::string runs_in;                 ///< "independent" or "absolute" coordinates; empty of a free journal
   std::string runs_in_reason;          ///< empty if the scene names them
   std::vector<OtherCost> independent;  ///< the right-hand side and its Jacobian in independent ones, if it runs in them

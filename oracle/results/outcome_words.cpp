@@ -16,11 +16,9 @@ nlohmann::ordered_json outcome_json(const std::string& scene, const std::string&
   nlohmann::ordered_json summary = {{"scene", scene},
                                     {"law", law},
                                     {"integrator", outcome.integrator},
-                                    {"integrator_reason", outcome.integrator_reason}};
-  if (!outcome.coordinates.empty()) {
-    summary["coordinates"] = outcome.coordinates;
-    summary["coordinates_reason"] = outcome.coordinates_reason;
-  }
+                                    {"integrator_reason", outcome.integrator_reason},
+                                    {"coordinates", outcome.coordinates.empty() ? "own" : outcome.coordinates},
+                                    {"coordinates_reason", outcome.coordinates_reason}};
   summary["status"] = status_word(outcome.status);
   summary["message"] = outcome.message;
   summary["t_end"] = outcome.t_end;

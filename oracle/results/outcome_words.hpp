@@ -9,7 +9,8 @@
 namespace lubjoint::reports {
 
 /// Keys scene, law, integrator (the one that ran), integrator_reason (why `auto` picked it; empty if the scene names
-/// it), of a mechanism coordinates and coordinates_reason (likewise), status, message, t_end, steps, rejected_steps, rhs_evaluations, wall_s.
+/// it), coordinates ("own" of a journal alone) and coordinates_reason (likewise), status, message, t_end, steps,
+/// rejected_steps, rhs_evaluations, wall_s.
 nlohmann::ordered_json outcome_json(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                                     double wall_seconds);
 

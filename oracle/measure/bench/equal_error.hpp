@@ -24,9 +24,9 @@ struct Race {
   bool operator==(const Race&) const = default;
 };
 
-/// The races in the order of the rows. Simbody's runs, in joint coordinates, are in the races of the scene in absolute and
-/// in independent coordinates, in whose place a user would run it. In independent coordinates, which others don't have,
-/// CVODE and IDA race in absolute ones.
+/// The races in the order of the rows. Simbody's runs, in joint coordinates, are in the races of the scene in absolute
+/// and in independent coordinates, in whose place a user would run it. In independent coordinates, which others don't
+/// have, CVODE and IDA race in absolute ones.
 std::vector<Race> races(const std::vector<BenchRow>& rows);
 
 /// Names of those that ran in a race, in the order of the rows.

@@ -166,8 +166,8 @@ class RaceCase final : public BenchCase {
     return result;
   }
 
-  void look(Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t,
-            const State& y_old, const State& y, State& inside, std::size_t& next, Reference& seen) {
+  void look(Integrator<double, N>& integrator, StepInterpolant<State>& step, double t_old, double t, const State& y_old,
+            const State& y, State& inside, std::size_t& next, Reference& seen) {
     step.t_old = t_old;
     step.t_new = t;
     step.y_old = y_old;

@@ -43,8 +43,7 @@ class ConstrainedMotionJacobian {
     for (std::size_t i = 0; i < n; ++i) out.constant[place_of_mass_[i]] = 1 / system_.inverse_mass(i / 3)[i % 3];
     for (const RowSide& each : row_sides_) {
       const auto& columns = each.second ? real_.rows[each.row].second : real_.rows[each.row].first;
-      for (std::size_t k = 0; k < 3; ++k)
-        out.constant[each.below[k]] = out.constant[each.beside[k]] = columns[k];
+      for (std::size_t k = 0; k < 3; ++k) out.constant[each.below[k]] = out.constant[each.beside[k]] = columns[k];
     }
     for (std::size_t i = 0; i < 2 * n; ++i) seeded_[i] = Seeded(y[i]);
     for (std::size_t colour = 0; colour < colours_; ++colour) {
@@ -90,7 +89,8 @@ class ConstrainedMotionJacobian {
     for (const auto& each : system_.joints()) join(each.bearing_at.body, each.journal_at.body);
     for (const auto& each : system_.elements().springs) join(each.first_body(), each.second_body());
     for (const auto& each : system_.elements().loads) {
-      if (const auto* load = std::get_if<TableLoad<R>>(&each); load && load->of_angle) join(load->body(), load->against);
+      if (const auto* load = std::get_if<TableLoad<R>>(&each); load && load->of_angle)
+        join(load->body(), load->against);
     }
     for (auto& list : neighbours_) {
       std::sort(list.begin(), list.end());

@@ -1,6 +1,9 @@
 /// Steps in coordinates that the constraints leave free, for a run that knows all coordinates.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -34,8 +37,9 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         of_joints_(std::move(of_joints)),
         make_(std::move(make)),
         coordinates_(ode.system().coordinates()),
-        small_(ode, {tolerance_.absolute.begin(),
-                     tolerance_.absolute.begin() + static_cast<std::ptrdiff_t>(coordinates_)}) {
+        constraints_(ode.system().constraints()),
+        small_(ode,
+               {tolerance_.absolute.begin(), tolerance_.absolute.begin() + static_cast<std::ptrdiff_t>(coordinates_)}) {
     Tolerance some = tolerance_of_chart();
     for (std::size_t i = 0; i < some.absolute.size(); ++i) some.absolute[i] = R(1);
     method_ = make_(some);
@@ -46,6 +50,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     try {
       if (!chosen_) choose(t, y);
       if (y != stepped_) small_.take(y, x_);  // else x_ is the method's own, which goes on from it
+      resolve_drivers(t, dt);
       const auto start = x_;
       if (!method_->try_step(small_, x_, t, dt)) {
         x_ = start;
@@ -65,9 +70,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     return true;
   }
   void reset() override { method_->reset(); }
-  std::unique_ptr<Base> fresh() const override {
-    return std::unique_ptr<Base>(new IndependentIntegrator(*this));
-  }
+  std::unique_ptr<Base> fresh() const override { return std::unique_ptr<Base>(new IndependentIntegrator(*this)); }
   void refine_end_rate(State& rate) const override {
     small_.take_rate(rate, x_rate_);
     method_->refine_end_rate(x_rate_);
@@ -113,12 +116,63 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         of_joints_(other.of_joints_),
         make_(other.make_),
         coordinates_(other.coordinates_),
+        constraints_(other.constraints_),
         small_(other.small_),
         method_(other.method_->fresh()),
         functions_(other.functions_),
         x_(other.x_),
         chosen_at_(other.chosen_at_),
         chosen_(other.chosen_) {}
+
+  /// A prescribed motion is no state, and free motions may not feel it: a step is shortened until a quintic through the
+  /// sine and cosine of a driven angle, or through a driven way, is as near as the relative tolerance in its middle.
+  void resolve_drivers(const R& t, R& dt) const {
+    using std::abs;
+    using std::cos;
+    using std::pow;
+    using std::sin;
+    R worst(0);
+    const auto look = [&](const auto& value) {  // value(s): place, rate, acceleration
+      const auto a = value(t);
+      const auto b = value(R(t + dt));
+      const R quintic = (a[0] + b[0]) / 2 + dt * (5 * (a[1] - b[1]) + dt / 2 * (a[2] + b[2])) / 32;
+      worst = std::max<R>(worst, abs(value(R(t + dt / 2))[0] - quintic));
+    };
+    const auto of_motion = [&](const auto& driver, const R& start, bool turns) {
+      const auto at = [&](const R& s) {
+        return driven_motion(start, driver.speed, driver.acceleration, driver.shape, s);
+      };
+      if (!turns) {
+        const R size = std::max<R>(abs(at(t).value), abs(at(R(t + dt)).value));
+        if (size > 0)
+          look([&](const R& s) {
+            const auto f = at(s);
+            return std::array<R, 3>{f.value / size, f.rate / size, f.acceleration / size};
+          });
+        return;
+      }
+      look([&](const R& s) {
+        const auto f = at(s);
+        const R c = cos(f.value);
+        return std::array<R, 3>{sin(f.value), c * f.rate, c * f.acceleration - sin(f.value) * f.rate * f.rate};
+      });
+      look([&](const R& s) {
+        const auto f = at(s);
+        const R sine = sin(f.value);
+        return std::array<R, 3>{cos(f.value), -sine * f.rate, -sine * f.acceleration - cos(f.value) * f.rate * f.rate};
+      });
+    };
+    for (int trial = 0; trial < 20; ++trial) {
+      worst = R(0);
+      for (const auto& each : constraints_) {
+        if (const auto* driver = std::get_if<Driver<R>>(&each.constraint)) of_motion(*driver, driver->angle, true);
+        if (const auto* driver = std::get_if<SlideDriver<R>>(&each.constraint))
+          of_motion(*driver, driver->position, false);
+      }
+      if (!(worst > tolerance_.nominal)) return;
+      dt *= std::max<R>(R(0.2), R(0.9) * pow(tolerance_.nominal / worst, R(1) / 6));
+    }
+  }
 
   /// Of a chart's functions and of works; before a choice of the right size only.
   Tolerance tolerance_of_chart() const {
@@ -154,6 +208,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
   std::vector<std::array<R, 2>> of_joints_;
   Make make_;
   std::size_t coordinates_;
+  const std::vector<NamedConstraint<R>>& constraints_;
   mutable IndependentOde<R, N> small_;
   std::unique_ptr<Method> method_;
   std::vector<std::size_t> functions_;  ///< of the chart that the method steps in

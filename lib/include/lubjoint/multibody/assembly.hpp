@@ -112,8 +112,8 @@ namespace detail {
 /// In systems of so many rows full decompositions take longer than a run.
 inline constexpr std::size_t many_rows = 100;
 
-/// Are the rows of an evaluated workspace independent beyond doubt, and is the Schur complement factorised? Each has then
-/// more than 1e-4 (sine of its angle) that those before it have not; 1e-9 count.
+/// Are the rows of an evaluated workspace independent beyond doubt, and is the Schur complement factorised? Each has
+/// then more than 1e-4 (sine of its angle) that those before it have not; 1e-9 count.
 template <class R>
 bool has_many_clear_rows(const PlanarSystem<R>& system, SystemWorkspace<R>& w) {
   if (system.constraint_rows() < many_rows) return false;

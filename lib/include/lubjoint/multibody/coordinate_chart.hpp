@@ -181,8 +181,9 @@ class CoordinateChart {
     const Eigen::Index n = index(n_);
     Matrix phi = Matrix::Zero(index(m_), n);
     for (std::size_t i = 0; i < m_; ++i) {
-      for_each_side(w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i),
-                    [&](std::size_t column, const R& value) { phi(index(i), index(column)) += value * units_[column]; });
+      for_each_side(
+          w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i),
+          [&](std::size_t column, const R& value) { phi(index(i), index(column)) += value * units_[column]; });
       const R size = phi.row(index(i)).norm();
       if (!(size > 0)) return false;
       phi.row(index(i)) /= size;

@@ -163,8 +163,14 @@ struct JointElement {
   template <class T>
   JointForce<T> force(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body,
                       const JointMemory<R>& memory) const {
-    JointForce<T> result{
-        kinematics(bearing_body, journal_body), Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
+    return force_at(kinematics(bearing_body, journal_body), bearing_body, journal_body, memory);
+  }
+
+  /// The same where the journal's motion is known better than the difference of the bodies' positions says.
+  template <class T>
+  JointForce<T> force_at(const JointKinematics<T>& at, const PlanarFrame<T>& bearing_body,
+                         const PlanarFrame<T>& journal_body, const JointMemory<R>& memory) const {
+    JointForce<T> result{at, Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
     const JournalMotion<T>& motion = result.kinematics.motion;
     const auto of_film = [&] {
       if (memory.side != FilmSide::sliding) return film_force(motion, memory.side);

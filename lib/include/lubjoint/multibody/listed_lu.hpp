@@ -94,7 +94,8 @@ class ListedLu {
     for (const Pivot& each : pivots_) {
       const R inverse = 1 / values[each.place];
       values[each.place] = inverse;
-      for (const RowBelow* row = rows_below_.data() + each.rows_begin; row != rows_below_.data() + each.rows_end; ++row) {
+      for (const RowBelow* row = rows_below_.data() + each.rows_begin; row != rows_below_.data() + each.rows_end;
+           ++row) {
         const R factor = values[row->place] * inverse;
         values[row->place] = factor;
         for (const Update* u = updates_.data() + row->begin; u != updates_.data() + row->end; ++u)

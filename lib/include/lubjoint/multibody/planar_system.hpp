@@ -135,6 +135,13 @@ class PlanarSystem {
   /// Weights, loads and joints, into forces. @throws FilmDomainError
   template <class T>
   void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+    apply_forces(memory, w, [](std::size_t, JointKinematics<T>&) {});
+  }
+
+  /// The same with correct(joint, kinematics), which may know the motion of a joint's journal better than the
+  /// difference of its bodies' positions says.
+  template <class T, class Correct>
+  void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w, const Correct& correct) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const PlanarBody<R>& body = bodies_[b];
       w.forces[3 * b] = T(body.mass * gravity_.x() + body.load.x());
@@ -146,8 +153,11 @@ class PlanarSystem {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const JointElement<R>& joint = joints_[j];
       if (!memory.empty() && memory[j].side == FilmSide::sliding) w.slides.emplace_back().joint = j;
-      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
-                                memory.empty() ? no_memory : memory[j]);
+      const PlanarFrame<T>& bearing_body = frame(joint.bearing_at.body, w);
+      const PlanarFrame<T>& journal_body = frame(joint.journal_at.body, w);
+      JointKinematics<T> at = joint.kinematics(bearing_body, journal_body);
+      correct(j, at);
+      w.joints[j] = joint.force_at(at, bearing_body, journal_body, memory.empty() ? no_memory : memory[j]);
       const JointForce<T>& force = w.joints[j];
       const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
       add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);

@@ -18,18 +18,19 @@ namespace lubjoint {
 /// G = ∂(g − Φqᵀλ) at fixed λ, H = ∂(w − Φq a) at fixed a, columns of q, then of λ.
 template <class R>
 struct ConstrainedJacobian {
-  Eigen::Index coordinates = 0;          ///< n
-  Eigen::Index multipliers = 0;          ///< m
-  std::vector<int> outer;                ///< where each column's elements begin, and the end of the last
-  std::vector<int> inner;                ///< their rows, ascending
-  std::vector<R> constant;               ///< of C₀
-  std::vector<R> over_shift;             ///< of C₁
-  std::vector<R> over_square;            ///< of C₂
+  Eigen::Index coordinates = 0;  ///< n
+  Eigen::Index multipliers = 0;  ///< m
+  std::vector<int> outer;        ///< where each column's elements begin, and the end of the last
+  std::vector<int> inner;        ///< their rows, ascending
+  std::vector<R> constant;       ///< of C₀
+  std::vector<R> over_shift;     ///< of C₁
+  std::vector<R> over_square;    ///< of C₂
 
   /// Is every number one?
   bool allFinite() const {
     const auto finite = [](const std::vector<R>& numbers) {
-      return std::all_of(numbers.begin(), numbers.end(), [](const R& x) { return std::isfinite(static_cast<double>(x)); });
+      return std::all_of(numbers.begin(), numbers.end(),
+                         [](const R& x) { return std::isfinite(static_cast<double>(x)); });
     };
     return finite(constant) && finite(over_shift) && finite(over_square);
   }
@@ -37,7 +38,8 @@ struct ConstrainedJacobian {
 
 /// Factors of K(s). With x_v = s x_q − r_q, (sI − J)(x_q, x_v) = (r_q, r_v) is
 ///   K(s) (x_q, μ/s²) = (C₀ (s r_q + r_v) + C₁ r_q)/s²,  the coordinates' columns of both.
-/// An order of elimination that keeps the factors sparse is found once; pivots are chosen by size in each factorisation.
+/// An order of elimination that keeps the factors sparse is found once; pivots are chosen by size in each
+/// factorisation.
 /// @tparam S  real or std::complex
 template <class R, class S>
 class ConstrainedFactors {

@@ -20,7 +20,7 @@ namespace lubjoint {
 template <class R, std::size_t N>
 struct FullLinear {
   static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);  ///< of Eigen's matrices
-  using Jacobian = Eigen::Matrix<R, dimension, dimension>;                                      ///< ∂f/∂y
+  using Jacobian = Eigen::Matrix<R, dimension, dimension>;                                     ///< ∂f/∂y
   using Solver = ShiftedSolver<R, dimension>;  ///< solves for the stages and the estimate
   /// Takes the memory for n states.
   static void prepare(Jacobian& jacobian, Eigen::Index n) { jacobian.setZero(n, n); }

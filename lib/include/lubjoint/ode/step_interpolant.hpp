@@ -30,8 +30,8 @@ struct StepInterpolant {
   struct Nothing {};
   /// inside(t, y) puts the motion that the method itself sees in place of the polynomials', from which it starts; none:
   /// they are all there is.
-  [[no_unique_address]] std::conditional_t<std::is_same_v<State, std::vector<R>>,
-                                           std::function<void(const R&, State&)>, Nothing>
+  [[no_unique_address]] std::conditional_t<std::is_same_v<State, std::vector<R>>, std::function<void(const R&, State&)>,
+                                           Nothing>
       inside = {};
 
   /// The state at a time inside the step.

@@ -145,20 +145,20 @@ enum class SceneCoordinates {
 
 /// A mechanism, what acts on it, and how it is to be run.
 struct Scene {
-  std::string file;                          ///< where it was read from
-  std::string name;                          ///< as the file gives it
-  Vector2<double> gravity{0, 0};             ///< [m/s²]
-  std::vector<SceneBody> bodies;             ///< in the file's order, as all lists are
-  std::vector<SceneLoad> loads;              ///< forces and moments
-  std::vector<SceneJoint> joints;            ///< with clearance
-  std::vector<SceneConstraint> constraints;  ///< ideal joints, guides and drivers
-  std::vector<SceneSpring> springs;          ///< with dampers
-  std::vector<Sensor> sensors;               ///< what is measured beside bodies, joints and drivers
-  SceneStabilisation stabilisation;          ///< how the constraints are kept in absolute coordinates
+  std::string file;                                            ///< where it was read from
+  std::string name;                                            ///< as the file gives it
+  Vector2<double> gravity{0, 0};                               ///< [m/s²]
+  std::vector<SceneBody> bodies;                               ///< in the file's order, as all lists are
+  std::vector<SceneLoad> loads;                                ///< forces and moments
+  std::vector<SceneJoint> joints;                              ///< with clearance
+  std::vector<SceneConstraint> constraints;                    ///< ideal joints, guides and drivers
+  std::vector<SceneSpring> springs;                            ///< with dampers
+  std::vector<Sensor> sensors;                                 ///< what is measured beside bodies, joints and drivers
+  SceneStabilisation stabilisation;                            ///< how the constraints are kept in absolute coordinates
   SceneCoordinates coordinates = SceneCoordinates::automatic;  ///< that a mechanism is integrated in
-  bool energy_ledger = false;                ///< keep account of work and energy?
-  std::string integrator = "radau_iia5";     ///< its name
-  RunSettings run;                           ///< duration, tolerances, output
+  bool energy_ledger = false;                                  ///< keep account of work and energy?
+  std::string integrator = "radau_iia5";                       ///< its name
+  RunSettings run;                                             ///< duration, tolerances, output
 };
 
 /// Does the scene hold just one journal in a bearing on the ground, without contact, constraint, spring, sensor or

@@ -1,10 +1,9 @@
-#include "lubjoint/scene/scene_coordinates.hpp"
-
 #include <array>
 
 #include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
+#include "lubjoint/scene/scene_coordinates.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
@@ -12,8 +11,8 @@ namespace lubjoint {
 namespace {
 
 // A right-hand side in independent coordinates works on a matrix of all coordinates by all freedoms, and an implicit
-// step on full ones of the freedoms. Measured on chains of pendulums: at 15 freedoms a step takes 0.6 of the time of one
-// in absolute coordinates with sparse matrices, at 20 0.84.
+// step on full ones of the freedoms. Measured on chains of pendulums: at 15 freedoms a step takes 0.6 of the time of
+// one in absolute coordinates with sparse matrices, at 20 0.84.
 constexpr std::size_t most_freedoms = 15;
 constexpr std::size_t most_coordinates = 60;
 
@@ -53,7 +52,8 @@ CoordinatesChoice choose_coordinates(const Scene& scene, const PlanarSystem<doub
   }
   const std::string count = counted(freedoms, "degree of freedom", "degrees of freedom");
   if (system.constraint_rows() == 0) return {false, "there are no constraints"};
-  if (asks_for_stabilisation(scene.stabilisation)) return {false, "the scene asks for a stabilisation of its constraints"};
+  if (asks_for_stabilisation(scene.stabilisation))
+    return {false, "the scene asks for a stabilisation of its constraints"};
   if (freedoms == 0) return {false, "the constraints prescribe all motion"};
   if (freedoms > most_freedoms) return {false, count + " are more than " + std::to_string(most_freedoms)};
   if (coordinates > most_coordinates) {
