@@ -10,9 +10,9 @@
 namespace lubjoint::reports {
 
 /// Relative and absolute tolerance of the runs that are checked, whose reasons rest on it.
-inline constexpr double run_tolerance = 1e-10;
+inline constexpr double run_tolerance = 1e-11;
 
-/// A run in absolute coordinates against the same mechanism in minimal coordinates: e/c, joint force, driving moment
+/// A run of a scene against the same mechanism in minimal coordinates: e/c, joint force, driving moment
 /// and film thickness at all output times, and the peaks with their times.
 std::vector<Check> compare_with_minimal_coordinates(const Scene& scene, const MultibodyTrajectory& run,
                                                     const ReferenceRun& reference);

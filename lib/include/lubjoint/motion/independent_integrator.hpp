@@ -125,7 +125,8 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         chosen_(other.chosen_) {}
 
   /// A prescribed motion is no state, and free motions may not feel it: a step is shortened until a quintic through the
-  /// sine and cosine of a driven angle, or through a driven way, is as near as the relative tolerance in its middle.
+  /// sine and cosine of a driven angle, or through a driven way, is as near as a tenth of the relative tolerance in its
+  /// middle: what it does to the work of drivers then is within the tolerance.
   void resolve_drivers(const R& t, R& dt) const {
     using std::abs;
     using std::cos;
@@ -169,8 +170,9 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         if (const auto* driver = std::get_if<SlideDriver<R>>(&each.constraint))
           of_motion(*driver, driver->position, false);
       }
-      if (!(worst > tolerance_.nominal)) return;
-      dt *= std::max<R>(R(0.2), R(0.9) * pow(tolerance_.nominal / worst, R(1) / 6));
+      const R allowed = tolerance_.nominal / 10;
+      if (!(worst > allowed)) return;
+      dt *= std::max<R>(R(0.2), R(0.9) * pow(allowed / worst, R(1) / 6));
     }
   }
 
