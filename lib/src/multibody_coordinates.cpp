@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "lubjoint/motion/independent_integrator.hpp"
@@ -65,14 +66,20 @@ CoordinatesChoice choose_coordinates(const Scene& scene, const PlanarSystem<doub
 std::unique_ptr<Integrator<double, run_time_size>> independent_method(const std::string& name, const Scene& scene,
                                                                       MultibodyOde<double>& ode, const RunSettings& run,
                                                                       const std::vector<double>& tolerances) {
+  // Steps in independent coordinates are as long as their tolerance lets them be, those in absolute ones are kept short
+  // by places a thousand times larger: with a tenth, a scene's tolerance means errors of the same size in both. Below
+  // 1e-14 rounding would be all that is left of an error estimate.
+  const auto tightened = [](double given) { return std::max(given / 10, std::min(given, 1e-14)); };
+  const double share = tightened(run.absolute_tolerance) / run.absolute_tolerance;
   const double rate = scene_units(scene).rate;
   std::vector<std::array<double, 2>> of_joints;
   for (const SceneJoint& joint : scene.joints) {
-    const double place = run.absolute_tolerance * joint.clearance;
+    const double place = share * run.absolute_tolerance * joint.clearance;
     of_joints.push_back({place, place * rate});
   }
-  const StepTolerance<double, run_time_size> tolerance{0, tolerances, run.relative_tolerance,
-                                                       ode.dimension() - ode.mechanical_states()};
+  StepTolerance<double, run_time_size> tolerance{0, tolerances, tightened(run.relative_tolerance),
+                                                 ode.dimension() - ode.mechanical_states()};
+  for (double& each : tolerance.absolute) each *= share;
   const std::size_t freedoms = ode.system().coordinates() - ode.system().constraint_rows();
   if (freedoms == 2 && !ode.with_ledger()) return method_of_size<4>(name, ode, tolerance, std::move(of_joints));
   return method_of_size<run_time_size>(name, ode, tolerance, std::move(of_joints));

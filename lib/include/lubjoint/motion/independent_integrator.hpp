@@ -51,9 +51,10 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
       if (!chosen_) choose(t, y);
       if (y != stepped_) small_.take(y, x_);  // else x_ is the method's own, which goes on from it
       resolve_drivers(t, dt);
-      const auto start = x_;
+      start_ = y;
+      x_start_ = x_;
       if (!method_->try_step(small_, x_, t, dt)) {
-        x_ = start;
+        x_ = x_start_;
         return false;
       }
       small_.expand(t, x_, stepped_);
@@ -86,6 +87,10 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     chart->smooth_rates = step.smooth_rates;
     chosen_at_->see(step.y_old, step.rate_old, chart->y_old, chart->rate_old);
     chosen_at_->see(step.y_new, step.rate_new, chart->y_new, chart->rate_new);
+    // What the method has is free of the rounding of the bodies' places, which a short step would make velocities of.
+    const auto take = [](const auto& x, std::vector<R>& end) { std::copy_n(x.begin(), end.size(), end.begin()); };
+    if (step.y_old == start_) take(x_start_, chart->y_old);
+    if (step.y_new == stepped_) take(x_, chart->y_new);
     step.inside = [chart, expand = chosen_at_](const R& t, State& y) {
       try {
         expand->correct(t, *chart, y);
@@ -216,7 +221,9 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
   std::vector<std::size_t> functions_;  ///< of the chart that the method steps in
   typename IndependentOde<R, N>::State x_{};
   std::shared_ptr<IndependentOde<R, N>> chosen_at_;  ///< in the present chart, for looks between steps
-  State stepped_;
+  State stepped_;                                    ///< the end of the last step
+  State start_;                                      ///< its start
+  typename IndependentOde<R, N>::State x_start_{};   ///< likewise
   mutable typename IndependentOde<R, N>::State x_rate_{};
   bool chosen_ = false;
   std::size_t charts_ = 0;
