@@ -87,14 +87,14 @@ TEST_CASE("golden trajectories: every scene that ships has one, and every law of
 }
 
 TEST_CASE("golden trajectories: the simulator in double follows every multibody scene's reference") {
-  // Double precision leaves 1e-13 of a clearance in coordinates of a thousand clearances, as does a step's tolerance;
+  // Double precision leaves 1e-13 of a clearance in coordinates of a thousand clearances, and a step's tolerance 1e-12;
   // the film's damping makes force of velocity, and of each of its errors.
   for (const auto& file : multibody_scenes()) {
     CAPTURE(file.stem().string());
     const reports::CsvTable golden = table(file.stem().string());
     Scene scene = load_scene(file);
     scene.energy_ledger = false;
-    scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-13;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = 1e-12;
     scene.run.output_interval = scene.run.duration / static_cast<double>(golden.rows());
     scene.run.stop_at_outputs = true;
     const MultibodyTrajectory run = simulate_multibody(scene);
@@ -127,7 +127,7 @@ TEST_CASE("golden trajectories: the simulator in double follows every multibody 
         moment_size = std::max(moment_size, std::abs(is("motor.moment")));
       }
     }
-    CHECK(position < 1e-9);               // a few thousand steps of 1e-13; impact's bounce multiplies them
+    CHECK(position < 1e-9);               // a few thousand steps of 1e-12; impact's bounce multiplies them
     CHECK(force <= 5e-9 * force_size);    // the film of 4e-4 clearances: force changes faster than place
     CHECK(moment <= 5e-9 * moment_size);  // follows the force
   }

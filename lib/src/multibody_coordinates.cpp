@@ -13,7 +13,8 @@ namespace {
 
 // A right-hand side in independent coordinates works on a matrix of all coordinates by all freedoms, and an implicit
 // step on full ones of the freedoms. Measured on chains of pendulums: at 15 freedoms a step takes 0.6 of the time of
-// one in absolute coordinates with sparse matrices, at 20 0.84.
+// one in absolute coordinates with sparse matrices, at 20 0.84. The choice of a chart takes 1.6 ms at 60 coordinates
+// and grows as their cube.
 constexpr std::size_t most_freedoms = 15;
 constexpr std::size_t most_coordinates = 60;
 

@@ -141,10 +141,8 @@ std::string chain_text(const std::vector<ChainCost>& rows) {
                       growth_exponent(rows, &ChainCost::solve), growth_exponent(rows, &ChainCost::jacobian),
                       growth_exponent(rows, &ChainCost::implicit_step));
   text +=
-      "\nAll costs of a chain are O(n): the envelope of its Schur complement has a constant width, the exact Jacobian "
-      "of "
-      "the\n"
-      "equations takes three passes however long it is, and an implicit step factorises sparse matrices.\n";
+      "\nAll costs of a chain are O(n): the envelope of its Schur complement has a constant width, the exact Jacobian\n"
+      "of the equations takes three passes however long it is, and an implicit step factorises sparse matrices.\n";
   return text;
 }
 

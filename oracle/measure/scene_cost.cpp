@@ -289,14 +289,14 @@ void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost&
                     small->rate((*states)[turn = 1 - turn], *rate, 0.0);
                   }),
                   [&cost](double time, double ratio) {
-                    cost.independent.push_back({"in independent coordinates", time, ratio});
+                    cost.independent.push_back({"right-hand side in independent coordinates", time, ratio});
                   });
   const auto jacobian = std::make_shared<Eigen::MatrixXd>();
   measurement.add(repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
                     small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
                   }),
                   [&cost](double time, double ratio) {
-                    cost.independent.push_back({"and its exact Jacobian in them", time, ratio});
+                    cost.independent.push_back({"its exact Jacobian in them", time, ratio});
                   });
 }
 

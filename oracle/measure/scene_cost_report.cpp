@@ -115,9 +115,7 @@ std::string cost_text(const SceneCost& cost) {
                         step.ratio);
   }
   for (const OtherCost& each : cost.independent) {
-    text += fmt::format("{:<50} {:>9.1f} ns {:>7.2f} x\n",
-                        (&each == &cost.independent.front() ? "right-hand side " : "") + each.what, each.nanoseconds,
-                        each.ratio);
+    text += fmt::format("{:<50} {:>9.1f} ns {:>7.2f} x\n", each.what, each.nanoseconds, each.ratio);
   }
   for (const OtherCost& phase : cost.phases) {
     text +=

@@ -12,7 +12,7 @@ namespace lubjoint::reports {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double position_limit = 1e-8;  // c: some thousand steps of 1e-11 each
+constexpr double position_limit = 1e-8;  // c: some thousand steps of 1e-10 each
 constexpr double velocity_limit =
     1e-6;  // c times the crank's speed: the rate of the cubic between steps loses two digits
 
@@ -68,7 +68,7 @@ std::vector<Check> compare_with_minimal_coordinates(const Scene& scene, const Mu
   checks.push_back(Check::holds("run", "the scene's duration", finished, finished ? "ends" : run.outcome.message,
                                 "the run reaches the end of the scene"));
   checks.push_back(Check::at_most("e/c", at_outputs, ratio_difference(scene, run, reference), position_limit, "c",
-                                  "some thousand steps of 1e-11 each"));
+                                  "some thousand steps of 1e-10 each"));
   checks.push_back(
       Check::at_most("joint force", at_outputs,
                      largest_difference(run, reference,

@@ -10,7 +10,7 @@
 namespace lubjoint::reports {
 
 /// Relative and absolute tolerance of the runs that are checked, whose reasons rest on it.
-inline constexpr double run_tolerance = 1e-11;
+inline constexpr double run_tolerance = 1e-10;
 
 /// A run of a scene against the same mechanism in minimal coordinates: e/c, joint force, driving moment
 /// and film thickness at all output times, and the peaks with their times.

@@ -13,20 +13,19 @@ const char* status_word(RunStatus status) { return status == RunStatus::finished
 
 nlohmann::ordered_json outcome_json(const std::string& scene, const std::string& law, const RunOutcome& outcome,
                                     double wall_seconds) {
-  nlohmann::ordered_json summary = {{"scene", scene},
-                                    {"law", law},
-                                    {"integrator", outcome.integrator},
-                                    {"integrator_reason", outcome.integrator_reason},
-                                    {"coordinates", outcome.coordinates.empty() ? "own" : outcome.coordinates},
-                                    {"coordinates_reason", outcome.coordinates_reason}};
-  summary["status"] = status_word(outcome.status);
-  summary["message"] = outcome.message;
-  summary["t_end"] = outcome.t_end;
-  summary["steps"] = outcome.steps;
-  summary["rejected_steps"] = outcome.rejected_steps;
-  summary["rhs_evaluations"] = outcome.rhs_evaluations;
-  summary["wall_s"] = wall_seconds;
-  return summary;
+  return {{"scene", scene},
+          {"law", law},
+          {"integrator", outcome.integrator},
+          {"integrator_reason", outcome.integrator_reason},
+          {"coordinates", outcome.coordinates.empty() ? "own" : outcome.coordinates},
+          {"coordinates_reason", outcome.coordinates_reason},
+          {"status", status_word(outcome.status)},
+          {"message", outcome.message},
+          {"t_end", outcome.t_end},
+          {"steps", outcome.steps},
+          {"rejected_steps", outcome.rejected_steps},
+          {"rhs_evaluations", outcome.rhs_evaluations},
+          {"wall_s", wall_seconds}};
 }
 
 std::string outcome_text(const std::string& scene, const std::string& law, const RunOutcome& outcome,

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "lubjoint/motion/independent_ode.hpp"
+#include "lubjoint/motion/prescribed_motion.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/step_interpolant.hpp"
 
@@ -114,6 +116,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
  private:
   /// Share of their first size below which pivots ask for another choice.
   static constexpr double worn_out = 0.2;
+  static constexpr int most_trials = 20;  ///< of a step's length; each is as good as right
 
   /// The same chart, and no memory of steps.
   IndependentIntegrator(const IndependentIntegrator& other)
@@ -129,55 +132,16 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         chosen_at_(other.chosen_at_),
         chosen_(other.chosen_) {}
 
-  /// A prescribed motion is no state, and free motions may not feel it: a step is shortened until a quintic through the
-  /// sine and cosine of a driven angle, or through a driven way, is as near as a tenth of the relative tolerance in its
-  /// middle: what it does to the work of drivers then is within the tolerance.
+  /// A prescribed motion is no state, and free motions may not feel it: a step is shortened until it can be followed to
+  /// a tenth of the relative tolerance. What it does to the work of drivers then is within the tolerance.
   void resolve_drivers(const R& t, R& dt) const {
-    using std::abs;
-    using std::cos;
     using std::pow;
-    using std::sin;
-    R worst(0);
-    const auto look = [&](const auto& value) {  // value(s): place, rate, acceleration
-      const auto a = value(t);
-      const auto b = value(R(t + dt));
-      const R quintic = (a[0] + b[0]) / 2 + dt * (5 * (a[1] - b[1]) + dt / 2 * (a[2] + b[2])) / 32;
-      worst = std::max<R>(worst, abs(value(R(t + dt / 2))[0] - quintic));
-    };
-    const auto of_motion = [&](const auto& driver, const R& start, bool turns) {
-      const auto at = [&](const R& s) {
-        return driven_motion(start, driver.speed, driver.acceleration, driver.shape, s);
-      };
-      if (!turns) {
-        const R size = std::max<R>(abs(at(t).value), abs(at(R(t + dt)).value));
-        if (size > 0)
-          look([&](const R& s) {
-            const auto f = at(s);
-            return std::array<R, 3>{f.value / size, f.rate / size, f.acceleration / size};
-          });
-        return;
-      }
-      look([&](const R& s) {
-        const auto f = at(s);
-        const R c = cos(f.value);
-        return std::array<R, 3>{sin(f.value), c * f.rate, c * f.acceleration - sin(f.value) * f.rate * f.rate};
-      });
-      look([&](const R& s) {
-        const auto f = at(s);
-        const R sine = sin(f.value);
-        return std::array<R, 3>{cos(f.value), -sine * f.rate, -sine * f.acceleration - cos(f.value) * f.rate * f.rate};
-      });
-    };
-    for (int trial = 0; trial < 20; ++trial) {
-      worst = R(0);
-      for (const auto& each : constraints_) {
-        if (const auto* driver = std::get_if<Driver<R>>(&each.constraint)) of_motion(*driver, driver->angle, true);
-        if (const auto* driver = std::get_if<SlideDriver<R>>(&each.constraint))
-          of_motion(*driver, driver->position, false);
-      }
-      const R allowed = tolerance_.nominal / 10;
-      if (!(worst > allowed)) return;
-      dt *= std::max<R>(R(0.2), R(0.9) * pow(allowed / worst, R(1) / 6));
+    const R rounding = 16 * std::numeric_limits<R>::epsilon();  // of sines, times weights of one
+    const R allowed = std::max<R>(tolerance_.nominal / 10, rounding);
+    for (int trial = 0; trial < most_trials; ++trial) {
+      const R miss = prescribed_miss(constraints_, t, dt);
+      if (!(miss > allowed)) return;
+      dt *= std::max<R>(R(0.2), R(0.9) * pow(allowed / miss, R(1) / 6));  // the miss is of order 6
     }
   }
 

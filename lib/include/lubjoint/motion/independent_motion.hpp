@@ -180,10 +180,10 @@ class IndependentMotion {
   void guess(std::size_t at, const R& t, const Small& x) {
     const std::size_t f = freedoms();
     const Place& from = places_[at < places_.size() ? at : latest_];
-    if (!from.known || (from.t != t && !accelerated_)) return;  // y_ is what was taken, or the latest
+    if (!from.known) return;  // y_ is what was taken
     std::copy(from.q.begin(), from.q.end(), y_.begin());
     for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
-    if (from.t != t) {
+    if (from.t != t && accelerated_) {
       const R dt = t - from.t;
       for (std::size_t i = 0; i < n_; ++i) y_[i] += dt * (y_[n_ + i] + dt / 2 * w_.accelerations[i]);
       for (std::size_t k = 0; k < f; ++k) right_[k] -= dt * (speeds_[k] + dt / 2 * accelerations_[k]);
@@ -245,8 +245,7 @@ class IndependentMotion {
     if (at == places_.size() || !turn_frames(places_[at])) place_frames();
     if (at == places_.size()) at = next_ = (next_ + 1) % places_.size();
     Place& place = places_[at];
-    place.known = false;
-    search(t, x);
+    search(t, x);  // the place stays as it is if there is none
     // V, a column each function.
     for (std::size_t row = 0; row < m_; ++row) column_residual_[row].setZero();
     for (std::size_t g = 0; g < groups(); ++g) {

@@ -105,10 +105,6 @@ void require_independent(const PlanarSystem<R>& system, const DenseMatrix<R>& ma
   }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// In systems of so many rows full decompositions take longer than a run.
 inline constexpr std::size_t many_rows = 100;
 

@@ -1,7 +1,6 @@
 /// Functions of the coordinates that the constraints leave free, and how all coordinates follow from them.
 #pragma once
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>

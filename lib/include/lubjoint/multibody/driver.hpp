@@ -10,6 +10,7 @@ namespace lubjoint {
 template <class R>
 struct Driver {
   static constexpr std::size_t rows = 1;                  ///< scalar equations
+  static constexpr bool turns = true;                     ///< f is an angle
   std::size_t first;                                      ///< body i; may be the ground
   std::size_t second;                                     ///< body j, which is turned
   R angle;                                                ///< φ₀ [rad]
@@ -29,11 +30,17 @@ struct Driver {
   template <class Visit>
   void visit_points(Visit&&) {}
 
+  /// f with its rate and acceleration [rad].
+  template <class Time>
+  DrivenMotion<Time> motion(const Time& t) const {
+    return driven_motion(angle, speed, acceleration, shape, t);
+  }
+
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time& t,
                 ConstraintRow<T>* row) const {
-    const DrivenMotion<Time> f = driven_motion(angle, speed, acceleration, shape, t);
+    const DrivenMotion<Time> f = motion(t);
     const T zero(0);
     row[0] = {T((body_j.angle - body_i.angle) - f.value),
               T(-f.rate),
@@ -49,6 +56,7 @@ struct Driver {
 template <class R>
 struct SlideDriver {
   static constexpr std::size_t rows = 1;                  ///< scalar equations
+  static constexpr bool turns = false;                    ///< f is a way
   BodyPoint<R> first;                                     ///< P_i, from which the way is measured
   Vector2<R> axis;                                        ///< u, fixed to body i; a unit vector
   BodyPoint<R> second;                                    ///< P_j, which is moved
@@ -73,11 +81,17 @@ struct SlideDriver {
     visit(second);
   }
 
+  /// f with its rate and acceleration [m].
+  template <class Time>
+  DrivenMotion<Time> motion(const Time& t) const {
+    return driven_motion(position, speed, acceleration, shape, t);
+  }
+
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const PlanarFrame<T>& body_i, const PlanarFrame<T>& body_j, const Time& t,
                 ConstraintRow<T>* row) const {
-    const DrivenMotion<Time> f = driven_motion(position, speed, acceleration, shape, t);
+    const DrivenMotion<Time> f = motion(t);
     const PointMotion<T> p_i = point_motion(body_i, first.point);
     const PointMotion<T> p_j = point_motion(body_j, second.point);
     const Vector2<T> u = inertial_vector(body_i, axis);
