@@ -1,9 +1,11 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "lubjoint/motion/journal_recorder.hpp"
 #include "lubjoint/run/largest_value.hpp"
+#include "lubjoint/run/step_looks.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
@@ -102,10 +104,18 @@ TEST_CASE("journal recorder: a peak inside a step is found where it is, between 
   recorder.step(TwoPeaks{}, 0.0, 1.0, motion, 4);
   CHECK(recorder.max_eccentricity_ratio() == Approx(0.8).epsilon(1e-14));  // Brent's 26 bits, squared
   CHECK(recorder.max_force() == Approx(10).epsilon(1e-13));
-  // Looks at 0, ¼ … 1, then searches around ¼ and ½ for the force, around ½ for ε: nothing beyond ¾.
+  // Looks at 0, ¼ … 1, then searches around ¼ and ½ for the force, around ½ for ε: nothing beyond ¾ but one look
+  // beside 1, where |F| is 9.6 and bends so much that it might have its largest value.
   REQUIRE(times.size() > 5);
   CHECK(times[4] == 1);
-  for (std::size_t i = 5; i < times.size(); ++i) CHECK((times[i] >= 0 && times[i] <= 0.75));
+  std::size_t beside_end = 0;
+  for (std::size_t i = 5; i < times.size(); ++i) {
+    CHECK(times[i] >= 0);
+    if (times[i] <= 0.75) continue;
+    CHECK(times[i] == Approx(1 - 0.25e-3).epsilon(1e-15));  // a thousandth of a quarter
+    ++beside_end;
+  }
+  CHECK(beside_end == 1);
 }
 
 TEST_CASE(
@@ -193,4 +203,50 @@ TEST_CASE("peaks: where the interpolant leaves the film, the places that were lo
   largest.look({1, 9, 3}, time_of, outside, [](double) { return 8.0; });
   CHECK(largest.value() == 8);
   CHECK(largest.t() == 0.5);
+}
+
+TEST_CASE("peaks: one between two looks counts, though the looks are below an earlier one") {
+  // 5 at 0.25, a look; then 5.001 at 1.5625, between the looks at 1.5 and 1.75, which are below 5.
+  const auto f = [](double t) {
+    return t < 1 ? 5 - 16 * (t - 0.25) * (t - 0.25) : 5.001 - 16 * (t - 1.5625) * (t - 1.5625);
+  };
+  REQUIRE(f(1.5) < 5);
+  REQUIRE(f(1.75) < 5);
+  const LargestValue<double> peak = peak_of(f, {0, 1, 2});
+  CHECK(peak.value() == Approx(5.001).epsilon(1e-14));  // Brent's 26 bits, squared
+  CHECK(std::abs(peak.t() - 1.5625) < 1e-6);            // those bits
+}
+
+TEST_CASE("peaks: looked for in few places first, they are those of looks in all of them") {
+  // Two waves of slowly growing height, of which a step holds a twentieth to a third.
+  const auto f = [](std::size_t k, double t) {
+    return (1 + 0.01 * t) * (k == 0 ? std::sin(t) : std::cos(3 * t) + 0.2 * std::sin(11 * t));
+  };
+  for (const double length : {0.05, 0.2, 0.35}) {
+    INFO("steps of " << length);
+    std::size_t looks = 0;
+    StepLooks<double> few(2, 8);
+    std::vector<LargestValue<double>> all(2);
+    std::size_t steps = 0;
+    for (double t0 = 0; t0 < 50; t0 += length, ++steps) {
+      const double t1 = t0 + length;
+      const auto see = [&](double t, const auto& put) {
+        ++looks;
+        for (std::size_t k = 0; k < 2; ++k) put(k, f(k, t));
+      };
+      few.step(t0, t1, steps > 0, see, f, f);
+      const auto time_of = [&](std::size_t i) { return i == 8 ? t1 : t0 + (t1 - t0) * static_cast<double>(i) / 8; };
+      for (std::size_t k = 0; k < 2; ++k) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i <= 8; ++i) values.push_back(f(k, time_of(i)));
+        const auto inside = [&](double t) { return f(k, t); };
+        all[k].look(values, time_of, inside, inside);
+      }
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(few.largest(k).value() == all[k].value());
+      CHECK(few.largest(k).t() == all[k].t());
+    }
+    CHECK(looks < 6 * steps);  // of 9; at least 4
+  }
 }

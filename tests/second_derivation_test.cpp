@@ -99,8 +99,12 @@ TEST_CASE("golden trajectories: every row and column is what a second derivation
     CAPTURE(wrong);
     if (wrong < file.rows()) FAIL_CHECK(found.apart[wrong] << " apart, allowed is " << found.allowed[wrong]);
     REQUIRE(stated.contains(golden.name));
-    // To one decimal; rounding in the last digits of long double may move it by some of that with another compiler.
-    CHECK(std::abs(found.digits - stated.at(golden.name)) < 0.3);
+    // To one decimal. The second derivation's own error is its tolerance, 1e-13 of a step, and rounding decides how its
+    // steps fall: on one processor they took 0.4 of a digit from one trajectory, which steps of 0.9 to 1.2 times that
+    // tolerance gave back. Where the two happen to be nearer it says nothing.
+    CAPTURE(found.digits, stated.at(golden.name));
+    CHECK(found.digits > stated.at(golden.name) - 0.5);
+    CHECK(found.digits < stated.at(golden.name) + 1);
   }
   CHECK(stated.size() == all_golden().size());
 }

@@ -10,9 +10,9 @@
 #include "lubjoint/motion/multibody_results.hpp"
 #include "lubjoint/motion/multibody_step.hpp"
 #include "lubjoint/motion/sensor_values.hpp"
-#include "lubjoint/run/largest_value.hpp"
 #include "lubjoint/run/outcome.hpp"
 #include "lubjoint/run/output_times.hpp"
+#include "lubjoint/run/step_looks.hpp"
 
 namespace lubjoint {
 
@@ -44,7 +44,7 @@ class MultibodyRecorder {
   /// @param sensors  what is measured beside bodies, joints and constraints; kept by reference
   MultibodyRecorder(MultibodyOde<R>& ode, const RunSettings& settings, std::size_t pieces,
                     const std::vector<Sensor>& sensors)
-      : ode_(ode), outputs_(settings), pieces_(pieces), largest_(2 * ode.system().joints().size()), sensors_(sensors) {
+      : ode_(ode), outputs_(settings), sensors_(sensors) {
     for (std::size_t c = 0; c < ode.system().constraints().size(); ++c) {
       const NamedConstraint<R>& constraint = ode.system().constraints()[c];
       if (constraint.is_driver()) {
@@ -56,11 +56,11 @@ class MultibodyRecorder {
         if (!pin) reactions_.push_back({c, true});
       }
     }
-    first_reaction_ = largest_.size() + 2 * drivers_.size();
+    first_reaction_ = 2 * ode.system().joints().size() + 2 * drivers_.size();
     first_sensor_ = first_reaction_ + reactions_.size();
     for (const Sensor& sensor : sensors_) sensor_values_ += sensor_quantities(sensor).size();
-    largest_.resize(first_sensor_ + 2 * sensor_values_);
-    looks_.assign(largest_.size(), std::vector<double>(pieces_ + 1));
+    quantities_ = first_sensor_ + 2 * sensor_values_;
+    looks_ = StepLooks<R>(quantities_, pieces);
   }
 
   /// The first sample.
@@ -86,30 +86,27 @@ class MultibodyRecorder {
       }
       add_sample(R(t), state_, step->memory);
     });
-    const auto time_of = [&](std::size_t i) {
-      const double share = static_cast<double>(i) / static_cast<double>(pieces_);
-      return i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
-    };
-    for (std::size_t i = 0; i <= pieces_; ++i) {
-      if (i == pieces_) {
-        state_ = step->y_new;
-      } else {
-        step->state_at(time_of(i), n, state_);
-      }
-      const SystemWorkspace<R>& w = ode_.at(time_of(i), state_, step->memory);
-      if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
-      for (std::size_t k = 0; k < largest_.size(); ++k) looks_[k][i] = quantity(k, w, measured_);
-      if (i == pieces_) note_drift(w, step->y_new);
-    }
-    for (std::size_t k = 0; k < largest_.size(); ++k) {
-      largest_[k].look(
-          looks_[k], time_of,
-          [&](const R& t) {
+    // A step begins where the last one has ended, unless its joints are in other pieces.
+    const bool goes_on = step->memory.empty() && step->t_old == seen_to_;
+    seen_to_ = step->t_new;
+    looks_.step(
+        step->t_old, step->t_new, goes_on,
+        [&](const R& t, const auto& put) {
+          if (t == step->t_new) {
+            state_ = step->y_new;
+          } else {
             step->state_at(t, n, state_);
-            return exactly(k, ode_.at(t, state_, step->memory));
-          },
-          [&](const R& t) { return by(by_method, *step, t, k); });
-    }
+          }
+          const SystemWorkspace<R>& w = ode_.at(t, state_, step->memory);
+          if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
+          for (std::size_t k = 0; k < quantities_; ++k) put(k, quantity(k, w, measured_));
+          if (t == step->t_new) note_drift(w, step->y_new);
+        },
+        [&](std::size_t k, const R& t) {
+          step->state_at(t, n, state_);
+          return exactly(k, ode_.at(t, state_, step->memory));
+        },
+        [&](std::size_t k, const R& t) { return by(by_method, *step, t, k); });
   }
 
   /// The last sample, and what the peaks are of.
@@ -212,7 +209,10 @@ class MultibodyRecorder {
     return quantity(k, w, exactly_measured_);
   }
 
-  Peak peak(std::size_t k) const { return {largest_[k].value(), static_cast<double>(largest_[k].t())}; }
+  Peak peak(std::size_t k) const {
+    const LargestValue<R>& largest = looks_.largest(k);
+    return {largest.value(), static_cast<double>(largest.t())};
+  }
 
   void add_sample(const R& t, const std::vector<R>& y, const std::vector<JointMemory<R>>& memory) {
     const SystemWorkspace<R>& w = ode_.at(t, y, memory);
@@ -245,18 +245,18 @@ class MultibodyRecorder {
 
   MultibodyOde<R>& ode_;
   OutputTimes outputs_;
-  std::size_t pieces_;
-  std::vector<LargestValue<R>> largest_;
-  std::vector<std::vector<double>> looks_;  ///< of each of them, at the places of a step that are looked at
+  StepLooks<R> looks_{0, 1};
   std::vector<std::size_t> drivers_;
   std::vector<Reaction> reactions_;
   const std::vector<Sensor>& sensors_;
   std::size_t first_reaction_ = 0;  ///< its number among the peaks
   std::size_t first_sensor_ = 0;    ///< likewise
   std::size_t sensor_values_ = 0;   ///< of all sensors together
+  std::size_t quantities_ = 0;      ///< that are looked at
   std::vector<MultibodySample> samples_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};  ///< of exact_: its time, and where its step begins
+  R seen_to_{-1};                   ///< end of the last step
   std::vector<double> measured_, exactly_measured_;
   std::vector<JointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;

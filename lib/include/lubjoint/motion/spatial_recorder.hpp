@@ -10,8 +10,8 @@
 #include "lubjoint/motion/multibody_recorder.hpp"
 #include "lubjoint/motion/spatial_interpolant.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
-#include "lubjoint/run/largest_value.hpp"
 #include "lubjoint/run/output_times.hpp"
+#include "lubjoint/run/step_looks.hpp"
 
 namespace lubjoint {
 
@@ -23,7 +23,7 @@ class SpatialRecorder {
   /// @param resolution  below which a quantity is the run's own error: its peaks are not searched, and count as 0
   SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces,
                   const SpatialResolution& resolution)
-      : ode_(ode), outputs_(settings), pieces_(pieces), resolution_(resolution) {
+      : ode_(ode), outputs_(settings), resolution_(resolution) {
     const auto& constraints = ode.system().constraints();
     for (std::size_t c = 0; c < constraints.size(); ++c) {
       if (constraints[c].is_driver()) {
@@ -35,8 +35,7 @@ class SpatialRecorder {
     }
     first_driver_ = of_joint * ode.system().joints().size();
     first_reaction_ = first_driver_ + 2 * drivers_.size();
-    largest_.resize(first_reaction_ + reactions_.size());
-    looks_.assign(largest_.size(), std::vector<double>(pieces_ + 1));
+    looks_ = StepLooks<R>(first_reaction_ + reactions_.size(), pieces);
   }
 
   /// The first sample.
@@ -60,33 +59,26 @@ class SpatialRecorder {
       }
       add_sample(R(t), state_, step->memory);
     });
-    const auto time_of = [&](std::size_t i) {
-      const double share = static_cast<double>(i) / static_cast<double>(pieces_);
-      return i == pieces_ ? step->t_new : R(step->t_old + (step->t_new - step->t_old) * share);
-    };
     // A step begins where the last one has ended, unless its joints are in other pieces.
     const bool goes_on = step->memory.empty() && step->t_old == seen_to_;
     seen_to_ = step->t_new;
-    for (std::vector<double>& looks : looks_) looks.front() = looks.back();
-    for (std::size_t i = goes_on ? 1 : 0; i <= pieces_; ++i) {
-      if (i == pieces_) {
-        state_ = step->y_new;
-      } else {
-        inside(*step, time_of(i), state_);
-      }
-      const SpatialWorkspace<R>& w = ode_.at(time_of(i), state_, step->memory);
-      for (std::size_t k = 0; k < largest_.size(); ++k) looks_[k][i] = quantity(k, w);
-      if (i == pieces_) note_drift(w, step->y_new);
-    }
-    for (std::size_t k = 0; k < largest_.size(); ++k) {
-      largest_[k].look(
-          looks_[k], time_of,
-          [&](const R& t) {
+    looks_.step(
+        step->t_old, step->t_new, goes_on,
+        [&](const R& t, const auto& put) {
+          if (t == step->t_new) {
+            state_ = step->y_new;
+          } else {
             inside(*step, t, state_);
-            return quantity(k, ode_.at(t, state_, step->memory));
-          },
-          [&](const R& t) { return by(by_method, *step, t, k); });
-    }
+          }
+          const SpatialWorkspace<R>& w = ode_.at(t, state_, step->memory);
+          for (std::size_t k = 0; k < first_reaction_ + reactions_.size(); ++k) put(k, quantity(k, w));
+          if (t == step->t_new) note_drift(w, step->y_new);
+        },
+        [&](std::size_t k, const R& t) {
+          inside(*step, t, state_);
+          return quantity(k, ode_.at(t, state_, step->memory));
+        },
+        [&](std::size_t k, const R& t) { return by(by_method, *step, t, k); });
   }
 
   /// The last sample, and what the peaks are of.
@@ -94,7 +86,7 @@ class SpatialRecorder {
     if (samples_.empty() || samples_.back().t < static_cast<double>(t)) add_sample(t, y, ode_.memory());
     std::size_t k = 0;
     const auto next = [&] {
-      const LargestValue<R>& largest = largest_[k++];
+      const LargestValue<R>& largest = looks_.largest(k++);
       return Peak{largest.value(), static_cast<double>(largest.t())};
     };
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
@@ -267,11 +259,9 @@ class SpatialRecorder {
 
   SpatialOde<R>& ode_;
   OutputTimes outputs_;
-  std::size_t pieces_;
   SpatialResolution resolution_;
   double kept_ = 0, left_out_ = 0;  ///< drift of the rows in rad, or in mechanisms
-  std::vector<LargestValue<R>> largest_;
-  std::vector<std::vector<double>> looks_;  ///< of each of them, at the places of a step that are looked at
+  StepLooks<R> looks_{0, 1};
   std::vector<std::size_t> drivers_;
   std::vector<Reaction> reactions_;
   std::size_t first_driver_ = 0, first_reaction_ = 0;  ///< their numbers among the peaks

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -10,8 +11,8 @@
 namespace lubjoint {
 
 /// The largest value of one quantity, and when. Each step is looked at in pieces; where it may hold a larger value
-/// than all steps before it, the peak is searched by Brent's method, to half the digits of double precision in its
-/// time and all of them in its value.
+/// than all steps before it, be it between two looks, the peak is searched by Brent's method, to half the digits of
+/// double precision in its time and all of them in its value.
 /// @tparam R  of time
 template <class R>
 class LargestValue {
@@ -28,6 +29,21 @@ class LargestValue {
     t_ = t;
   }
 
+  /// May a step hold a larger value than all before it? Between its looks a quantity may exceed them by as much as it
+  /// bends there: a parabola does by at most an eighth of its second difference.
+  /// @param values  as in look;  @param stride  every stride-th of them, both ends included, is known
+  /// @param share  of the second differences that is allowed for
+  bool may_be_exceeded(const std::vector<double>& values, std::size_t stride, double share) const {
+    if (!is_known_) return true;
+    bool changes = false;
+    bool exceeds = false;
+    for (std::size_t i = 0; i < values.size(); i += stride) {
+      changes = changes || values[i] != value_;
+      exceeds = exceeds || !(values[i] + share * bend(values, i, stride) < value_);
+    }
+    return changes && exceeds;
+  }
+
   /// A step.
   /// @param values  the quantity at time_of(0) … time_of(pieces), at both ends without an interpolant's error
   /// @param f  f(t), the quantity at any time of the step; where it throws std::domain_error, as an interpolant that
@@ -37,12 +53,11 @@ class LargestValue {
   template <class TimeOf, class Function, class Confirm>
   void look(const std::vector<double>& values, const TimeOf& time_of, const Function& f, const Confirm& confirm) {
     const std::size_t last = values.size() - 1;
-    const auto is_record = [this](double value) { return value == value_; };
-    if (is_known_ && std::all_of(values.begin(), values.end(), is_record)) return;  // it never changes
+    if (!may_be_exceeded(values, 1, 0.25)) return;
     for (std::size_t i = 0; i <= last; ++i) {
-      if (is_known_ && values[i] < value_) continue;
+      if (is_known_ && values[i] + 0.25 * bend(values, i, 1) < value_) continue;
       if (i > 0 && i < last) {
-        if (values[i] > value_ && values[i] >= values[i - 1] && values[i] >= values[i + 1])
+        if (values[i] >= values[i - 1] && values[i] >= values[i + 1])
           search(time_of(i - 1), time_of(i + 1), time_of(i), values[i], f, confirm);
         continue;
       }
@@ -62,6 +77,14 @@ class LargestValue {
   }
 
  private:
+  /// Second difference of the looks about one of them, or next to an end.
+  static double bend(const std::vector<double>& values, std::size_t i, std::size_t stride) {
+    const std::size_t last = values.size() - 1;
+    if (last < 2 * stride) return 0;
+    const std::size_t middle = std::clamp(i, stride, last - stride);
+    return std::abs(values[middle - stride] - 2 * values[middle] + values[middle + stride]);
+  }
+
   /// Of double precision's digits: a maximum is flat, so that no more are to be had.
   static constexpr int bits = 26;
 
