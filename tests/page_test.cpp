@@ -88,9 +88,9 @@ TEST_CASE("report: one file that asks for nothing outside of itself") {
 
 TEST_CASE("report: the contents list every section, the verdict first, and every link and id has its place") {
   const std::string& html = full_page();
-  const std::vector<std::string> expected = {"verdict",      "motion", "journal",     "equilibrium", "losses",
-                                             "slider-crank", "laws",   "model-error", "proofs",      "run-time",
-                                             "stability",    "verify", "provenance"};
+  const std::vector<std::string> expected = {"verdict",      "motion",    "journal", "equilibrium", "losses",
+                                             "slider-crank", "space",     "laws",    "model-error", "proofs",
+                                             "run-time",     "stability", "verify",  "provenance"};
   CHECK(between(between(html, "<nav", "</nav>").front(), "href=\"#", "\"") == expected);
   CHECK(between(html, "<section id=\"", "\"") == expected);
   const std::vector<std::string> ids = between(html, " id=\"", "\"");
@@ -187,6 +187,7 @@ TEST_CASE("report: each check of a verdict is listed with what it is held agains
   };
   listed(section(full_page(), "equilibrium"), content.journal.verdicts());
   listed(section(full_page(), "slider-crank"), content.slider_crank.verdicts());
+  listed(section(full_page(), "space"), {&content.space.verdict});
   listed(section(full_page(), "verdict"), {&content.slider_crank.ideal_verdict});
   page::Content other = full_content();
   for (auto& law : other.journal.laws) law.verdict.checks.back() = reports::paper_check(law.found, "-");
@@ -209,6 +210,14 @@ TEST_CASE("report: the verdict is good when everything agrees, and names what do
   content = full_content();
   for (auto& law : content.journal.laws) law.verdict.checks.clear();  // nothing was checked: that is no agreement
   CHECK_FALSE(content.passed());
+  content = full_content();
+  content.space.verdict.checks[1] =
+      reports::Check::at_most("e/c", "minimal coordinates", 1e-3, 1e-6, "c", "steps of 1e-7");
+  CHECK_FALSE(content.passed());
+  const std::string wrong_in_space = page_of(content);
+  CHECK_THAT(section(wrong_in_space, "verdict"),
+             Contains("class=\"verdict bad\"") && Contains("✗ e/c: 1.0e-03 c, allowed 1e-06"));
+  CHECK_THAT(section(wrong_in_space, "space"), Contains("<p class=\"checked bad\">"));
   content = full_content();
   content.laws.laws[0].quadrature->largest = 1e-3;
   CHECK_FALSE(content.passed());

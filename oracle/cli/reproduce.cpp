@@ -3,6 +3,7 @@
 
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/programs.hpp"
@@ -65,6 +66,9 @@ int reproduce(const ReproduceOptions& options) {
   if (!warning.empty()) std::cout << warning << '\n';
   content.slider_crank = reports::run_example_2(options.scenes);
   std::cout << '\n' << reports::example_2_table(content.slider_crank);
+  content.space =
+      page::run_space_example(load_spatial_scene(fs::path(options.scenes) / "space" / "spatial-slider-crank.toml"));
+  std::cout << '\n' << page::space_example_table(content.space);
   content.real_films = reports::run_real_films(options.scenes, scene_films());
   std::cout << '\n' << reports::real_films_table(*content.real_films);
   content.laws = reports::check_laws({});

@@ -8,22 +8,8 @@
   const machine = page.element('motion-mechanism');
   const runList = page.element('motion-run');
   const scaleList = page.element('motion-scale');
-  const speedList = page.element('motion-speed');
-  const slider = page.element('motion-time');
-  const play = page.element('motion-play');
-  const still = matchMedia('(prefers-reduced-motion: reduce)');
-  const secondsOfRun = 16;  // a run lasts so long on the screen, at speed 1
+  const {int8s, int16s, floats, circle, arrow} = page;
   const bore = 100, journalRadius = 64, clearance = bore - journalRadius, tallest = 56;
-
-  /** Numbers of a kind, from base64 of little-endian bytes. */
-  function unpack(text, size, read) {
-    const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-    const view = new DataView(bytes.buffer);
-    return Array.from({length: bytes.length / size}, (_, i) => read(view, i * size));
-  }
-  const int8s = (text) => unpack(text, 1, (view, at) => view.getInt8(at) / 127);
-  const int16s = (text) => unpack(text, 2, (view, at) => view.getInt16(at, true) / 32767);
-  const floats = (text) => unpack(text, 4, (view, at) => view.getFloat32(at, true));
 
   function unpacked(run) {
     const force = floats(run.force);
@@ -35,32 +21,10 @@
 
   data.runs.forEach((run, i) => page.add(runList, 'option', {value: i}, run.name));
   let run;
-  let frame = 0;
-  let playing = false;
-  let before = 0;
   const cache = new Map();
 
   // What changes from frame to frame.
   let parts = {};
-
-  const circle = (x, y, r) => `M${x - r},${y}a${r},${r} 0 1,0 ${2 * r},0a${r},${r} 0 1,0 ${-2 * r},0z`;
-  const arrow = (x, y, dx, dy) => {
-    const length = Math.hypot(dx, dy);
-    if (length < 1) return '';
-    const [ux, uy] = [dx / length, dy / length];
-    const [hx, hy] = [x + dx, y + dy];
-    const head = Math.min(7, length / 2);
-    return `M${x},${y}L${hx},${hy}M${hx},${hy}L${hx - head * (ux - uy / 2)},${hy - head * (uy + ux / 2)}` +
-      `L${hx - head * (ux + uy / 2)},${hy - head * (uy - ux / 2)}z`;
-  };
-
-  /** Value of a list of numbers at a frame that may lie between two. */
-  function between(list, width, index) {
-    const low = Math.min(Math.floor(frame), run.frames - 1);
-    const high = Math.min(low + 1, run.frames - 1);
-    const share = frame - low;
-    return list[width * low + index] * (1 - share) + list[width * high + index] * share;
-  }
 
   function build() {
     bearing.replaceChildren();
@@ -101,18 +65,12 @@
       page.add(machine, 'circle', {class: 'centre', r: 3});
     }
 
-    const numbers = page.element('motion-numbers');
-    numbers.replaceChildren();
-    parts.numbers = Object.fromEntries([['time', run.parts ? 'time, crank angle' : 'time'], ['ratio', 'ε = e/c'],
-      ['film', 'least film'], ['force', 'force on the journal'], ['peak', 'largest pressure']].map(([key, words]) => {
-      const row = page.add(numbers, 'div');
-      page.add(row, 'dt', {}, words);
-      return [key, page.add(row, 'dd')];
-    }));
+    parts.numbers = page.numbers('motion-numbers', {time: run.parts ? 'time, crank angle' : 'time', ratio: 'ε = e/c',
+      film: 'least film', force: 'force on the journal', peak: 'largest pressure'});
     page.element('motion-law').textContent = run.words;
   }
 
-  function drawPressure(relative) {
+  function drawPressure(frame, relative) {
     const n = data.nodes;
     const low = Math.min(Math.floor(frame), run.frames - 1);
     const thinnest = run.film[low] / run.clearance;  // 1 − ε
@@ -132,7 +90,8 @@
     }
   }
 
-  function draw() {
+  function draw(frame) {
+    const between = (list, width, index) => page.between(list, width, index, frame);
     const [ex, ey] = [between(run.e, 2, 0), between(run.e, 2, 1)];
     const [fx, fy] = [between(run.force, 2, 0), between(run.force, 2, 1)];
     const [x, y] = [clearance * ex, -clearance * ey];
@@ -140,7 +99,7 @@
     const ofRun = scaleList.value === 'run';
     const peak = run.peak[Math.min(Math.floor(frame), run.frames - 1)];
     const mostPressure = Math.max(...run.peak);
-    drawPressure(ofRun ? (mostPressure > 0 ? peak / mostPressure : 0) : 1);
+    drawPressure(frame, ofRun ? (mostPressure > 0 ? peak / mostPressure : 0) : 1);
 
     parts.journal.setAttribute('cx', x);
     parts.journal.setAttribute('cy', y);
@@ -178,55 +137,19 @@
     parts.numbers.film.textContent = `${+(1e6 * film).toPrecision(3)} µm`;
     parts.numbers.force.textContent = `${+size.toPrecision(4)} N`;
     parts.numbers.peak.textContent = `${+(1e-6 * peak).toPrecision(3)} MPa`;
-    slider.value = Math.round(frame);
-    slider.setAttribute('aria-valuetext', `${parts.numbers.time.textContent}, ε ${ratio.toFixed(3)}`);
+    return `${parts.numbers.time.textContent}, ε ${ratio.toFixed(3)}`;
   }
 
+  const player = page.player('motion', draw);
   function select(index) {
     if (!cache.has(index)) cache.set(index, unpacked(data.runs[index]));
     run = cache.get(index);
-    slider.max = run.frames - 1;
-    // A first picture that shows something: the journal on its way.
-    frame = Math.round((run.frames - 1) * 0.06);
     build();
-    draw();
+    player.show(run.frames, 0.06);  // a first picture that shows something: the journal on its way
   }
 
-  function setPlaying(on) {
-    playing = on;
-    play.textContent = on ? 'Pause' : 'Play';
-    if (!on) return;
-    if (frame >= run.frames - 1) frame = 0;
-    before = performance.now();
-    requestAnimationFrame(advance);
-  }
-
-  function advance(now) {
-    if (!playing) return;
-    // For those who asked for less motion: four pictures a second, and only when they press Play.
-    if (!still.matches || now - before >= 250) {
-      frame += (now - before) / 1e3 / secondsOfRun * speedList.value * (run.frames - 1);
-      before = now;
-      if (frame >= run.frames - 1) {
-        frame = run.frames - 1;
-        setPlaying(false);
-      }
-      draw();
-    }
-    if (playing) requestAnimationFrame(advance);
-  }
-
-  play.addEventListener('click', () => setPlaying(!playing));
-  slider.addEventListener('input', () => {
-    setPlaying(false);
-    frame = +slider.value;
-    draw();
-  });
-  scaleList.addEventListener('change', draw);
-  runList.addEventListener('change', () => {
-    setPlaying(false);
-    select(+runList.value);
-  });
+  scaleList.addEventListener('change', player.redraw);
+  runList.addEventListener('change', () => select(+runList.value));
   const spiral = data.runs.findIndex((item) => item.law === 'pinkus_sternlicht');
   runList.value = Math.max(spiral, 0);
   select(+runList.value);

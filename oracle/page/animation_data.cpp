@@ -11,17 +11,15 @@
 //   mechanism     float32 crank angle, rod angle [rad], slider [m]; only of the slider-crank
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "lubjoint/film/law_facts.hpp"
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
+#include "oracle/page/packed_numbers.hpp"
 #include "oracle/page/sections.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
@@ -34,36 +32,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t nodes = 72;
 constexpr double node_step = boost::math::constants::two_pi<double>() / nodes;
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? letters[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
-
-/// Numbers as little-endian bytes, one after the other.
-class Bytes {
- public:
-  void int8(double value) { text_ += static_cast<char>(static_cast<std::int8_t>(std::lround(value))); }
-  void int16(double value) { add(static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(value))), 2); }
-  void float32(double value) { add(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4); }
-  std::string base64() const { return page::base64(text_); }
-
- private:
-  void add(std::uint32_t bits, int count) {
-    for (int i = 0; i < count; ++i) text_ += static_cast<char>(bits >> 8 * i & 0xffU);
-  }
-  std::string text_;
-};
 
 /// The film whose pressure is drawn for a law: Pinkus–Sternlicht has none and gets the one that it approximates.
 oracle::OneDimensionalFilm drawn_film(const std::string& law) {
@@ -149,13 +117,8 @@ class Frames {
   Bearing<double> bearing_;
   Lubricant<double> oil_;
   std::size_t count_ = 0;
-  Bytes eccentricity_, attitude_, film_thickness_, force_, peak_, pressure_;
+  PackedNumbers eccentricity_, attitude_, film_thickness_, force_, peak_, pressure_;
 };
-
-/// Samples evenly apart: the first of every `stride`, at most `frames` + 1 of them.
-std::size_t stride_for(std::size_t samples, std::size_t frames) {
-  return std::max<std::size_t>(1, (samples - 1) / frames);
-}
 
 Json journal_run(const Example1Law& item) {
   const JournalDrive<double> drive = journal_scene(item.scene).drive;
@@ -189,7 +152,7 @@ Json slider_crank_run(const Example2Case& item) {
   const std::size_t rod = body_named(item.scene, "rod");
   const std::size_t slider = body_named(item.scene, "slider");
   Frames frames(joint, joint.film);
-  Bytes mechanism;
+  PackedNumbers mechanism;
   const auto& samples = item.run.samples;
   const std::size_t stride = stride_for(samples.size(), 720);
   double end = 0;
@@ -229,7 +192,8 @@ std::string animation_json(const Example1& journal, const Example2& slider_crank
 Section motion_section(const Content& content) {
   return {"motion", "The journal in its film",
           filled("motion.html",
-                 {{"data", json_block("motion-data", animation_json(content.journal, content.slider_crank))}})};
+                 {{"player", filled("player.html", {{"name", "motion"}})},
+                  {"data", json_block("motion-data", animation_json(content.journal, content.slider_crank))}})};
 }
 
 }  // namespace lubjoint::reports::page

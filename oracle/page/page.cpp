@@ -14,7 +14,7 @@ namespace lubjoint::reports::page {
 bool Content::passed() const {
   const bool proved = !proofs || proofs->closes();
   const bool real = !real_films || real_films->passed();
-  return journal.passed() && slider_crank.passed() && laws.passed() && real && proved;
+  return journal.passed() && slider_crank.passed() && space.verdict.agrees() && laws.passed() && real && proved;
 }
 
 bool Content::stored_runs_are_right() const {
@@ -33,7 +33,8 @@ std::string report_page(const Content& content) {
         section.id, escaped(section.title), section.html);
   }
   std::string scripts;
-  for (const char* script : {"page.js", "run_time.js", "stability.js", "animation.js"}) scripts += resource(script);
+  for (const char* script : {"page.js", "run_time.js", "stability.js", "player.js", "animation.js", "space.js"})
+    scripts += resource(script);
   return filled("page.html", {{"style", std::string(resource("page.css"))},
                               {"version", escaped(content.provenance.version)},
                               {"contents", contents},

@@ -17,6 +17,7 @@
 #include "oracle/page/proof_ledger.hpp"
 #include "oracle/page/provenance.hpp"
 #include "oracle/page/run_data.hpp"
+#include "oracle/page/space_example.hpp"
 #include "oracle/paper/example_1.hpp"
 #include "oracle/paper/example_2.hpp"
 #include "oracle/paper/real_film.hpp"
@@ -35,6 +36,7 @@ struct BearingModelError {
 struct Content {
   Example1 journal;
   Example2 slider_crank;
+  SpaceExample space;
   LawChecks laws;
   BearingModelError model_error;
   std::optional<RealFilms> real_films;  ///< both examples with films of finite length, where they were run

@@ -23,6 +23,7 @@ Section journal_section(const Content& content);
 Section equilibrium_section(const Content& content);
 Section losses_section(const Content& content);
 Section slider_crank_section(const Content& content);
+Section space_section(const Content& content);
 Section laws_section(const Content& content);
 Section model_error_section(const Content& content);
 Section proofs_section(const Content& content);
@@ -33,9 +34,9 @@ Section provenance_section(const Content& content);
 
 /// The page from top to bottom.
 inline constexpr std::array sections = {
-    verdict_section,      motion_section, journal_section,     equilibrium_section, losses_section,
-    slider_crank_section, laws_section,   model_error_section, proofs_section,      run_time_section,
-    stability_section,    verify_section, provenance_section,
+    verdict_section,      motion_section,    journal_section, equilibrium_section, losses_section,
+    slider_crank_section, space_section,     laws_section,    model_error_section, proofs_section,
+    run_time_section,     stability_section, verify_section,  provenance_section,
 };
 
 /// A law in words: "long bearing, full film".
@@ -53,5 +54,8 @@ std::string checked_words(const std::vector<const Verdict*>& verdicts, const std
 
 /// What the runs of the animation look like, as JSON for animation.js (described there).
 std::string animation_json(const Example1& journal, const Example2& slider_crank);
+
+/// The run in space as JSON for space.js (described in space_section.cpp); "null" if it has no samples.
+std::string space_animation_json(const SpaceExample& example);
 
 }  // namespace lubjoint::reports::page

@@ -99,6 +99,8 @@ Section verdict_section(const Content& content) {
              difference_of(crank.verdicts(), "e/c"), count_agreeing(crank.cases)});
   table.row({"slider-crank with ideal joints", "closed form of reactions and moment; energy under a constant torque",
              difference_of({&crank.ideal_verdict}, "gudgeon pin's force"), agreement(crank.ideal_verdict)});
+  table.row({"slider-crank in space", "the mechanism in minimal coordinates; its constraints; the energy ledger",
+             difference_of({&content.space.verdict}, "e/c"), agreement(content.space.verdict)});
   std::size_t integrals = 0;
   std::size_t good_integrals = 0;
   std::size_t good_digits = 0;

@@ -204,6 +204,40 @@
     }
   }
 
+  /**
+   * Plays an animation and stops it.
+   * @param picture  what changes from frame to frame
+   * @param others  its controls beside those of every animation
+   */
+  async function plays(name, picture, others) {
+    // Virtual time has no regular frames.
+    window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
+    const play = element(`${name}-play`);
+    const slider = element(`${name}-time`);
+    const stage = slider.closest('section').querySelector('.stage');
+    const numbers = () => element(`${name}-numbers`).textContent;
+    change(slider, 0);
+    const pictures = new Set();
+    const watch = new MutationObserver(() => pictures.add(picture()));
+    watch.observe(stage, {attributes: true, subtree: true});
+    play.click();
+    check(play.textContent === 'Pause', 'Play does not become Pause');
+    await wait(1100);
+    play.click();
+    watch.disconnect();
+    const less = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    check(pictures.size > 1, `${name} does not play`);
+    check(less ? pictures.size <= 5 : pictures.size > 8, `${pictures.size} pictures in a second`);
+    check(play.textContent === 'Play', 'Pause does not become Play');
+    const stopped = numbers();
+    await wait(200);
+    check(numbers() === stopped, `${name} plays on after Pause`);
+    for (const control of [play, slider, ...['speed', ...others].map((part) => element(`${name}-${part}`))]) {
+      control.focus();
+      check(document.activeElement === control, `${control.id} is not reached by the keyboard`);
+    }
+  }
+
   async function motion() {
     const bearing = element('motion-bearing');
     const machine = element('motion-mechanism');
@@ -235,29 +269,61 @@
     check(arrow() !== drawn, 'the scale does not change');
     change(element('motion-scale'), 'run');
 
-    // Virtual time has no regular frames.
-    window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
-    const play = element('motion-play');
-    change(slider, 0);
-    const pictures = new Set();
-    const watch = new MutationObserver(() => pictures.add(bearing.querySelector('.trail').getAttribute('d')));
-    watch.observe(bearing, {attributes: true, subtree: true});
-    play.click();
-    check(play.textContent === 'Pause', 'Play does not become Pause');
-    await wait(1100);
-    play.click();
-    watch.disconnect();
-    const less = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    check(pictures.size > 1, 'it does not play');
-    check(less ? pictures.size <= 5 : pictures.size > 8, `${pictures.size} pictures in a second`);
-    check(play.textContent === 'Play', 'Pause does not become Play');
-    const stopped = numbers();
-    await wait(200);
-    check(numbers() === stopped, 'it plays on after Pause');
-    for (const control of [play, slider, element('motion-run'), element('motion-speed')]) {
-      control.focus();
-      check(document.activeElement === control, `${control.id} is not reached by the keyboard`);
+    await plays('motion', () => bearing.querySelector('.trail').getAttribute('d'), ['run']);
+  }
+
+  async function space() {
+    const machine = element('space-mechanism');
+    const orbit = element('space-orbit');
+    const slider = element('space-time');
+    const path = (svg, look) => svg.querySelector(`.${look}`).getAttribute('d');
+    const states = new Set();
+    const end = JSON.parse(element('space-data').textContent).end;
+    for (const share of [0, 0.2, 0.5, 0.8, 1]) {
+      change(slider, Math.round(slider.max * share));
+      states.add(path(machine, 'link') + element('space-numbers').textContent);
+      const point = orbit.querySelector('.centre');
+      const ratio = Math.hypot(point.getAttribute('cx'), point.getAttribute('cy')) / 100;
+      const row = (words) => [...element('space-numbers').children].find((each) => each.textContent.startsWith(words));
+      const number = (words) => parseFloat(row(words).querySelector('dd').textContent);
+      check(Math.abs(ratio - number('ε')) < 1e-3 && ratio < 1, `drawn at ε = ${ratio}, told is ${number('ε')}`);
+      const seconds = end * slider.value / slider.max;
+      check(Math.abs(number('time') - seconds) < 1e-3, `${number('time')} s in place of ${seconds}`);
+      // Crank pin and rod meet.
+      const ends = path(machine, 'link').split('M').slice(1).map((line) => line.split('L')[1].split(',').map(Number));
+      const [crank, rod, tip] = ends;
+      check(Math.hypot(crank[0] - rod[0], crank[1] - rod[1]) < 0.1, `the rod is not at the crank: ${crank} and ${rod}`);
+      // The rod's other end is in the middle of the pin.
+      const [one, other] = path(machine, 'pin').slice(1).split('L').map((point) => point.split(',').map(Number));
+      const middle = one.map((value, k) => (value + other[k]) / 2);
+      check(Math.hypot(middle[0] - tip[0], middle[1] - tip[1]) < 0.1, 'the pin is off the rod');
+      const slides = machine.querySelector('.journal').getBBox();
+      check(Math.hypot(slides.x + slides.width / 2 - tip[0], slides.y + slides.height / 2 - tip[1]) < 1,
+        'the slider is off the pin');
+      const [, , width, height] = machine.getAttribute('viewBox').split(' ').map(Number);
+      const box = machine.querySelector('.link').getBBox();
+      const [right, bottom] = [box.x + box.width, box.y + box.height];
+      check(Math.max(-box.x, right) < width / 2 && Math.max(-box.y, bottom) < height / 2, 'the links leave the drawing');
     }
+    let longest = 0;
+    for (let i = 0; i <= +slider.max; ++i) {
+      change(slider, i);
+      const arrow = path(orbit, 'arrow').match(/-?[\d.]+(e-\d+)?/g)?.slice(0, 4).map(Number) ?? [0, 0, 0, 0];
+      longest = Math.max(longest, Math.hypot(arrow[2] - arrow[0], arrow[3] - arrow[1]));
+    }
+    check(Math.abs(longest - 60) < 0.1, `the longest arrow is ${longest}`);
+    check(states.size === 5, 'the slider does not move it');
+    check(path(orbit, 'orbit').split('L').length === +slider.max + 1, 'the orbit is not that of all frames');
+    const lines = [...machine.querySelectorAll('path')];
+    check(lines.every((line) => line.getAttribute('d').length > 20), 'something is not drawn');
+    for (const angle of [-180, -90, 0, 90]) {
+      const before = path(machine, 'link') + path(machine, 'orbit');
+      change(element('space-view'), angle);
+      check(path(machine, 'link') + path(machine, 'orbit') !== before, 'the view does not turn');
+    }
+    check(!/NaN|undefined|Infinity/.test(machine.outerHTML + orbit.outerHTML), 'no number');
+    check([...element('space').querySelectorAll('.checked')].length === 1, 'nothing is said to be checked');
+    await plays('space', () => path(machine, 'link'), ['view']);
   }
 
   function printing() {
@@ -268,7 +334,7 @@
     check(!document.querySelector('details[open]'), 'something stays unfolded after printing');
   }
 
-  for (const part of [drawings, tables, saving, runTimes, stability, motion, printing]) {
+  for (const part of [drawings, tables, saving, runTimes, stability, motion, space, printing]) {
     try {
       await part();
     } catch (error) {

@@ -4,6 +4,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/page/page.hpp"
 #include "oracle/paper/journal_checks.hpp"
 #include "oracle/paper/slider_crank_checks.hpp"
@@ -78,11 +79,19 @@ inline reports::Example2 quick_example_2() {
   return example;
 }
 
+inline reports::page::SpaceExample quick_space_example() {
+  SpatialScene scene =
+      load_spatial_scene(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/space/spatial-slider-crank.toml");
+  scene.run.duration = 0.3;
+  return reports::page::run_space_example(scene);
+}
+
 inline const reports::page::Content& quick_page_content() {
   static const reports::page::Content content = [] {
     reports::page::Content made;
     made.journal = quick_example_1();
     made.slider_crank = quick_example_2();
+    made.space = quick_space_example();
     made.laws = reports::check_laws({20, 1, 1});
     const JournalScene parts = journal_scene(made.journal.laws.front().scene);
     made.model_error.length_to_diameter = parts.bearing.length() / (2 * parts.bearing.radius());
