@@ -72,7 +72,7 @@ std::string section(const std::string& html, const std::string& id) {
 
 TEST_CASE("report: one file that asks for nothing outside of itself") {
   const std::string& html = full_page();
-  CHECK(html.size() < 5'000'000);
+  CHECK(html.size() < 6'000'000);  // a page that can be mailed: ten megabytes, of which the encoding takes a quarter
   std::string rest = html;
   const std::string name_space = "http://www.w3.org/2000/svg";
   for (std::size_t at = 0; (at = rest.find(name_space)) != std::string::npos;) rest.erase(at, name_space.size());
