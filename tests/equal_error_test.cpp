@@ -207,9 +207,10 @@ TEST_CASE("bench rows that ship: every integrator on every scene, and the manife
   for (const Race& each : races(rows)) {
     CAPTURE(each.scene, each.formulation);
     const auto ran = integrators_of(rows, each);
-    const bool film_and_mechanism = each.scene.starts_with("slider-crank") && each.formulation == "absolute" &&
+    // Simbody has a lubricated slider-crank in coordinates of its own, which are no minimal ones.
+    const bool film_and_mechanism = each.scene.starts_with("slider-crank") && each.formulation != "minimal" &&
                                     each.scene != "slider-crank-ideal" && each.scene != "slider-crank-torque";
     CHECK(ran.size() == (each.scene == "impact" ? 6 : film_and_mechanism ? 11 : 10));
   }
-  CHECK(races(rows).size() == 14);
+  CHECK(races(rows).size() == 19);  // the journal; five cranks in three formulations; three scenes in absolute ones
 }
