@@ -217,7 +217,7 @@ TEST_CASE(
         x_off, std::abs(mechanism.slider(angle).value - published("slider-crank", "masoudi", "slider.x", double(t))));
     angle_off = std::max(angle_off, std::abs(angle - published("slider-crank", "masoudi", "crank.angle", double(t))));
   }
-  CHECK(x_off < 1.1e-5L);  // as it was found; its solution has no more
+  CHECK(x_off < 1.1e-5L);  // as it was found, from both sides
   CHECK(x_off > 1.0e-5L);
   CHECK(angle_off < 2.5e-4L);  // as it was found: the slider's, over an arm of 4 cm
 }
@@ -421,6 +421,6 @@ TEST_CASE("lubricated spatial slider-crank: a stiff film leaves the ideal motion
     off.push_back(std::abs(y[0] - angle));
   }
   CHECK(off[0] < 8e-6L);  // a part of the clearance over the crank's arm
-  // The film's compliance: in inverse proportion to the viscosity, but for the square of a part in a thousand.
+  // The film's compliance: in inverse proportion to the viscosity, to first order in it.
   CHECK(std::abs(off[1] / off[0] - 0.1L) < 1e-3L);
 }
