@@ -69,7 +69,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
       return false;
     }
     y = stepped_;
-    if (small_.chart().wear() < R(worn_out)) chosen_ = false;
+    if (small_.wear() < R(worn_out)) chosen_ = false;
     return true;
   }
   void reset() override { method_->reset(); }

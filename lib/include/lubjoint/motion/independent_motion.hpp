@@ -10,27 +10,51 @@
 #include <vector>
 
 #include "lubjoint/multibody/coordinate_chart.hpp"
+#include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/step_interpolant.hpp"
 
 namespace lubjoint {
 
 /// (q, q̇) of (z, ż), z = C(q) the functions of a chart. With A = [Φq; C]:
-///   q from Φ(q, t) = 0, C(q) = z by Newton's method, to rounding;  A q̇ = [−Φt; ż];  A V = [0; I].
-/// Coordinates that were found are remembered: a search starts from those of the same time, moved by V, or from the
+///   q from Φ(q, t) = 0, C(q) = z by Newton's method, to rounding;  A V = [0; I],  A d = [−Φt; 0];  q̇ = V ż + d.
+/// What the time alone prescribes is found once for every time. The others that were found are remembered with their
+/// factors: a search starts from those of the same time, moved by V and corrected once by their factors, or from the
 /// latest ones, moved by their velocities and accelerations, which whoever has them leaves in accelerations_ and w_.
-/// @tparam Group  columns of V in one solution
-template <class R, int Group>
+/// @tparam Freedoms  number of z, or run_time_size
+template <class R, std::size_t Freedoms>
 class IndependentMotion {
  public:
   using Full = std::vector<R>;  ///< (q, q̇, more)
 
   const CoordinateChart<R>& chart() const { return chart_; }  ///< the present one
-  std::size_t freedoms() const { return n_ - m_; }            ///< number of z
+  /// Of the chart at the last place: see CoordinateChart.
+  R wear() const { return chart_.wear(numbers()); }
+  /// Number of z.
+  std::size_t freedoms() const {
+    if constexpr (Freedoms != run_time_size) {
+      return Freedoms;
+    } else {
+      return n_ - m_;
+    }
+  }
 
   /// Chooses functions at a state that fulfils the constraints, near which the next search starts.
   /// @throws SingularConstraints where there is no choice
   void choose(const R& t, const Full& y) {
     if (!chart_.choose(t, y.data(), w_)) throw SingularConstraints("the constraints are not independent");
+    for (Moment& each : moments_) {
+      each.rates.assign(prescribed().size(), R(0));
+      each.accelerations.assign(prescribed().size(), R(0));
+      each.frames.assign(prescribed().bodies.size(), PlanarFrame<R>(ground_motion<R>()));
+      each.numbers.assign(prescribed().lu.storage(), R(0));
+    }
+    for (Place& each : places_) {
+      each.columns.assign(free().size() * groups(), Columns::Zero());
+      each.numbers.assign(free().lu.storage(), R(0));
+    }
+    right_columns_.assign(free().size() * groups(), Columns::Zero());
+    for (std::size_t k = 0; k < freedoms(); ++k)
+      right_columns_[(k / group) * free().size() + first_function() + k](index(k % group)) = R(1);
     std::copy(y.begin(), y.end(), y_.begin());
     // Rounding of a place is that of the coordinates around it.
     R length(0);
@@ -61,15 +85,20 @@ class IndependentMotion {
     forget();
     step.state_at(t, freedoms(), inside_);
     std::copy_n(y.begin(), n_, y_.begin());
+    Place& place = places_[latest_];
+    Moment& moment = moments_[place.moment];
     place_frames();
-    search(t, inside_);
-    find_velocities(inside_);
+    prescribe(t, moment);
+    search(t, inside_, place, moment);
+    find_velocities(place, inside_);
     std::copy_n(y_.begin(), 2 * n_, y.begin());
   }
 
  protected:
-  using Columns = Eigen::Array<R, Group, 1>;  ///< so many columns of V at a coordinate
-  static constexpr std::size_t group = Group;
+  using Part = typename CoordinateChart<R>::Part;
+  /// Columns in one solution: V's, d, and the Newton step that is left.
+  static constexpr std::size_t group = Freedoms == run_time_size ? 4 : Freedoms + 2;
+  using Columns = Eigen::Array<R, static_cast<int>(group), 1>;  ///< so many columns at a coordinate
 
   /// @param units  in which the coordinates are comparable;  @param states  of the whole state
   IndependentMotion(const PlanarSystem<R>& system, const std::vector<R>& units, std::size_t states)
@@ -85,28 +114,36 @@ class IndependentMotion {
         functions_(freedoms()),
         residual_(n_),
         step_(n_),
-        work_(n_),
-        column_residual_(n_),
+        work_(3 * n_),
         column_work_(n_),
         right_(freedoms()) {
-    const Place empty{{},
-                      false,
-                      std::vector<R>(n_),
-                      std::vector<Columns>(n_ * groups()),
-                      std::vector<std::array<R, 2>>(system_.bodies().size()),
-                      std::vector<R>(freedoms())};
-    places_.fill(empty);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      places_[i].q.resize(n_);
+      places_[i].z.resize(freedoms());
+      places_[i].turns.resize(system.bodies().size());
+      places_[i].moment = i;
+    }
   }
   IndependentMotion(const IndependentMotion&) = default;
 
+  /// What the time prescribes.
+  struct Moment {
+    std::vector<R> rates;                ///< of the prescribed coordinates, in their order
+    std::vector<R> accelerations;        ///< likewise
+    std::vector<PlanarFrame<R>> frames;  ///< of their bodies
+    std::vector<R> numbers;              ///< of their rows, and their factors
+  };
   /// Coordinates that were found at a time: the stages of a step ask again and again for the same times.
   struct Place {
     R t{};
     bool known = false;
+    std::size_t number = 0;  ///< counts places of new times
+    std::size_t moment = 0;  ///< of the prescribed coordinates there
     std::vector<R> q;
-    std::vector<Columns> columns;         ///< V
-    std::vector<std::array<R, 2>> turns;  ///< cosine and sine of each body's angle
     std::vector<R> z;
+    std::vector<Columns> columns;         ///< V and d of the free coordinates, in their order
+    std::vector<std::array<R, 2>> turns;  ///< cosine and sine of the angles of the free coordinates' bodies
+    std::vector<R> numbers;               ///< of the free rows, and their factors
   };
 
   void forget() {
@@ -114,12 +151,24 @@ class IndependentMotion {
     here_ = false;
     accelerated_ = false;
   }
-  /// Column k of V is the k % group-th part of these.
-  const Columns* column(std::size_t k) const { return places_[latest_].columns.data() + (k / group) * n_; }
+  const Part& prescribed() const { return chart_.prescribed_part(); }
+  const Part& free() const { return chart_.free_part(); }
+  const Place& latest() const { return places_[latest_]; }  ///< that of the last evaluation
+  const Moment& moment() const { return moments_[latest().moment]; }
+  typename CoordinateChart<R>::Numbers numbers() const { return {moment().numbers.data(), latest().numbers.data()}; }
+  /// Column k of V, d after them, at the i-th free coordinate.
+  const R& column(const Place& place, std::size_t k, std::size_t i) const {
+    if constexpr (Freedoms != run_time_size) {
+      return place.columns[i](index(k));
+    } else {
+      return place.columns[(k / group) * free().size() + i](index(k % group));
+    }
+  }
 
   static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-  std::size_t groups() const { return (freedoms() + group - 1) / group; }
+  std::size_t groups() const { return (freedoms() + 2 + group - 1) / group; }
+  std::size_t first_function() const { return free().size() - freedoms(); }  ///< among the free rows
 
   /// C v of function k and a vector by coordinates.
   template <class T, class V>
@@ -133,72 +182,13 @@ class IndependentMotion {
     return sum;
   }
 
-  /// Evaluates the constraints at the frames and hands each of their rows to keep(number, row), which the compiler
-  /// spares what it does not read.
-  template <class Keep>
-  void for_each_row(const R& t, const Keep& keep) {
-    const auto& constraints = system_.constraints();
-    for (std::size_t c = 0; c < constraints.size(); ++c) {
-      const std::size_t row = system_.first_row(c);
-      const PlanarFrame<R>& first = system_.frame(system_.first_body_of_row(row), w_);
-      const PlanarFrame<R>& second = system_.frame(system_.second_body_of_row(row), w_);
-      std::visit(
-          [&]<class Constraint>(const Constraint& constraint) {
-            std::array<ConstraintRow<R>, Constraint::rows> from;
-            constraint.evaluate(first, second, t, from.data());
-            for (std::size_t i = 0; i < Constraint::rows; ++i) keep(row + i, from[i]);
-          },
-          constraints[c].constraint);
-    }
-  }
-
-  /// Rows and factors at the places of the frames.
-  void factorise_here(const R& t) {
-    for_each_row(t, [this](std::size_t number, const ConstraintRow<R>& row) { chart_.put(number, row); });
-    chart_.evaluate(y_.data(), w_, functions_.data());
-    for (std::size_t k = 0; k < freedoms(); ++k) chart_.put(m_ + k, functions_[k]);
-    chart_.factorise();
-  }
-
-  /// Solves for the change of the coordinates. @returns its largest part in the size of its coordinate
-  template <class Small>
-  R newton_step(const Small& x) {
-    for (std::size_t row = 0; row < n_; ++row) residual_[row] = chart_.value(row);
-    for (std::size_t k = 0; k < freedoms(); ++k) residual_[m_ + k] -= x[k];
-    chart_.solve(residual_.data(), step_.data(), work_.data());
-    R size(0);
-    for (std::size_t b = 0; b < n_; b += 3) {
-      const R unit = size_of(y_[b + 2]);
-      size = std::max<R>(size, std::max<R>(size_of(step_[b]), size_of(step_[b + 1])) * inverse_length_);
-      size = std::max<R>(size, unit > 1 ? R(size_of(step_[b + 2]) / unit) : size_of(step_[b + 2]));
-    }
-    return size;
-  }
-
-  /// q near those of the same time, or of the latest place.
-  template <class Small>
-  void guess(std::size_t at, const R& t, const Small& x) {
-    const std::size_t f = freedoms();
-    const Place& from = places_[at < places_.size() ? at : latest_];
-    if (!from.known) return;  // y_ is what was taken
-    std::copy(from.q.begin(), from.q.end(), y_.begin());
-    for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
-    if (from.t != t && accelerated_) {
-      const R dt = t - from.t;
-      for (std::size_t i = 0; i < n_; ++i) y_[i] += dt * (y_[n_ + i] + dt / 2 * w_.accelerations[i]);
-      for (std::size_t k = 0; k < f; ++k) right_[k] -= dt * (speeds_[k] + dt / 2 * accelerations_[k]);
-    }
-    add_along(from, right_.data(), y_.data());
-  }
-
   /// x += V dz
   void add_along(const Place& place, const R* dz, R* x) const {
-    for (std::size_t g = 0; g < groups(); ++g) {
-      Columns part = Columns::Zero();
-      for (std::size_t k = g * group; k < std::min<std::size_t>(freedoms(), (g + 1) * group); ++k)
-        part(index(k - g * group)) = dz[k];
-      const Columns* v = place.columns.data() + g * n_;
-      for (std::size_t i = 0; i < n_; ++i) x[i] += (v[i] * part).sum();
+    for (std::size_t i = 0; i < free().size(); ++i) {
+      R& at = x[free().columns[i]];
+      R sum = at;
+      for (std::size_t k = 0; k < freedoms(); ++k) sum += column(place, k, i) * dz[k];
+      at = sum;
     }
   }
 
@@ -212,144 +202,339 @@ class IndependentMotion {
       }
       return true;
     };
-    const bool placed = here_ && t == places_[latest_].t && same(places_[latest_].z, x.data());
+    const bool placed = here_ && t == latest().t && same(latest().z, x.data());
     if (placed && same(speeds_, x.data() + f)) return;
     here_ = false;
     if (!placed) find_places(t, x);
     accelerated_ = false;
-    find_velocities(x);
+    find_velocities(latest(), x);
     for (std::size_t k = 0; k < f; ++k) speeds_[k] = x[f + k];
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      w_.frames[b].velocity = Vector2<R>(y_[n_ + 3 * b], y_[n_ + 3 * b + 1]);
-      w_.frames[b].spin = y_[n_ + 3 * b + 2];
-    }
-    for_each_row(t, [this](std::size_t number, const ConstraintRow<R>& row) { gammas_[number] = row.gamma; });
-    chart_.evaluate(y_.data(), w_, functions_.data());
-    for (std::size_t k = 0; k < f; ++k) gammas_[m_ + k] = functions_[k].gamma;
+    move_frames_on(free());
+    find_gammas(t, free());
+    const std::vector<R>& prescribed = moment().accelerations;
+    chart_.for_each_coupling(latest().numbers.data(),
+                             [&](auto row, auto column, const R& k) { gammas_[row] -= k * prescribed[column]; });
     here_ = true;
   }
 
-  template <class Small>
-  void find_velocities(const Small& x) {
-    for (std::size_t row = 0; row < m_; ++row) residual_[row] = -chart_.time_rate(row);
-    for (std::size_t k = 0; k < freedoms(); ++k) residual_[m_ + k] = x[freedoms() + k];
-    chart_.solve(residual_.data(), y_.data() + n_, work_.data());
-  }
-
-  template <class Small>
-  void find_places(const R& t, const Small& x) {
-    const std::size_t f = freedoms();
-    std::size_t at = 0;
-    while (at < places_.size() && !(places_[at].known && places_[at].t == t)) ++at;
-    guess(at, t, x);
-    if (at == places_.size() || !turn_frames(places_[at])) place_frames();
-    if (at == places_.size()) at = next_ = (next_ + 1) % places_.size();
-    Place& place = places_[at];
-    search(t, x);  // the place stays as it is if there is none
-    // V, a column each function.
-    for (std::size_t row = 0; row < m_; ++row) column_residual_[row].setZero();
-    for (std::size_t g = 0; g < groups(); ++g) {
-      for (std::size_t k = 0; k < f; ++k) {
-        column_residual_[m_ + k].setZero();
-        if (k / group == g) column_residual_[m_ + k](index(k % group)) = R(1);
-      }
-      chart_.solve(column_residual_.data(), place.columns.data() + g * n_, column_work_.data());
-    }
-    place.t = t;
-    place.known = true;
-    std::copy(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n_), place.q.begin());
-    for (std::size_t k = 0; k < f; ++k) place.z[k] = x[k];
-    for (std::size_t b = 0; b < place.turns.size(); ++b) place.turns[b] = {w_.frames[b].cosine, w_.frames[b].sine};
-    latest_ = at;
-  }
-
-  /// By Newton's method from the frames, with factors at the end.
-  template <class Small>
-  void search(const R& t, const Small& x) {
-    const R rounding = 4 * std::numeric_limits<R>::epsilon();
-    R before = std::numeric_limits<R>::infinity();
-    for (int iteration = 0;; ++iteration) {
-      factorise_here(t);
-      const R size = newton_step(x);
-      if (size <= rounding || (iteration > 0 && size >= before && size < 1000 * rounding)) break;
-      if (!(size < 1) || iteration == most_iterations)
-        throw SingularConstraints("no places near the last ones fulfil the constraints");
-      before = size;
-      for (std::size_t i = 0; i < n_; ++i) y_[i] -= step_[i];
-      if (size < R(last_step)) {
-        move_frames();
-        factorise_here(t);
-        break;
-      }
-      place_frames();
-    }
-  }
-
-  void place_frames() {
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      w_.frames[b] = PlanarFrame<R>(
-          PlanarMotion<R>{Vector2<R>(y_[3 * b], y_[3 * b + 1]), y_[3 * b + 2], Vector2<R>(R(0), R(0)), R(0)});
-    }
-  }
-
-  /// From a place of the same time, where all have turned little: by the series of cosine and sine, whose next terms
-  /// are below rounding. A stage asks a dozen times, and each adds half a unit of rounding; the next step starts
-  /// afresh.
-  bool turn_frames(const Place& from) {
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      const R angle = y_[3 * b + 2] - from.q[3 * b + 2];
-      if (!(size_of(angle) < R(1e-3))) return false;
-      const R square = angle * angle;
-      const R sine = angle * (1 - square / 6 * (1 - square / 20));
-      const R versed = square / 2 * (1 - square / 12);
-      const auto [c, s] = from.turns[b];
-      PlanarFrame<R>& frame = w_.frames[b];
-      frame.position = Vector2<R>(y_[3 * b], y_[3 * b + 1]);
-      frame.angle = y_[3 * b + 2];
-      frame.cosine = c - (c * versed + s * sine);
-      frame.sine = s - (s * versed - c * sine);
-    }
-    return true;
-  }
-
-  /// By the last Newton step: the square of its angle is below rounding.
-  void move_frames() {
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      PlanarFrame<R>& frame = w_.frames[b];
-      frame.position = Vector2<R>(y_[3 * b], y_[3 * b + 1]);
-      frame.angle = y_[3 * b + 2];
-      const R turned = -step_[3 * b + 2];
-      const R cosine = frame.cosine - turned * frame.sine;
-      frame.sine += turned * frame.cosine;
-      frame.cosine = cosine;
-    }
+  /// q̈ at the place of the last follow if z̈ = 0.
+  void accelerate_unmoved(R* a) {
+    for (std::size_t i = 0; i < prescribed().size(); ++i) a[prescribed().columns[i]] = moment().accelerations[i];
+    free().lu.solve(latest().numbers.data(), gammas_.data(), step_.data(), work_.data());
+    for (std::size_t i = 0; i < free().size(); ++i) a[free().columns[i]] = step_[i];
   }
 
   const PlanarSystem<R>& system_;
   std::size_t n_, m_;
   CoordinateChart<R> chart_;
   SystemWorkspace<R> w_;
-  Full y_;                   ///< (q, q̇) of the last evaluation
-  R inverse_length_ = R(1);  ///< of the largest coordinate of a mass centre when the chart was chosen [1/m]
-  std::array<Place, 4> places_;
-  std::size_t next_ = 0;          ///< the one to be given up next
-  std::size_t latest_ = 0;        ///< that of the last evaluation
-  bool here_ = false;             ///< is y_ that of latest_ and speeds_?
+  Full y_;                        ///< (q, q̇) of the last evaluation
+  bool here_ = false;             ///< is y_ that of the latest place and of speeds_?
   bool accelerated_ = false;      ///< and are the accelerations?
   std::vector<R> speeds_;         ///< ż
   std::vector<R> accelerations_;  ///< z̈
-  std::vector<R> gammas_;         ///< of all rows
+  std::vector<R> gammas_;         ///< of the free rows, less what the prescribed accelerations are to them
   std::vector<ConstraintRow<R>> functions_;
-
-  // Work, kept so that no evaluation allocates.
-  std::vector<R> residual_, step_, work_;
-  std::vector<Columns> column_residual_, column_work_;
-  std::vector<R> right_, inside_;
+  std::vector<R> residual_, step_, work_;  ///< work, kept so that no evaluation allocates
 
  private:
   static constexpr int most_iterations = 12;
-  /// Of a Newton step in the size of the mechanism: what it leaves is of its square, below rounding.
-  static constexpr double last_step = 1e-9;
+  /// Of a step with the factors of another place at the same time: they are as far from right as it is long.
+  static constexpr double longest_chord = 1e-4;
+  /// Turned by less, cosine and sine follow by their series.
+  static constexpr double small_turn = 1e-3;
+  static constexpr R rounding = 4 * std::numeric_limits<R>::epsilon();
+  /// A step that leaves the factors before it right to their own rounding.
+  static constexpr R settled = 16 * rounding;
+
+  /// Evaluates the constraints of a part at the frames and hands each of its rows to keep(its number in the part, row),
+  /// which the compiler spares what it does not read.
+  template <class Keep>
+  void for_each_row(const R& t, const Part& part, const Keep& keep) {
+    const auto& constraints = system_.constraints();
+    for (const std::size_t c : part.constraints) {
+      const std::size_t row = system_.first_row(c);
+      const PlanarFrame<R>& first = system_.frame(system_.first_body_of_row(row), w_);
+      const PlanarFrame<R>& second = system_.frame(system_.second_body_of_row(row), w_);
+      std::visit(
+          [&]<class Constraint>(const Constraint& constraint) {
+            std::array<ConstraintRow<R>, Constraint::rows> from;
+            constraint.evaluate(first, second, t, from.data());
+            for (std::size_t i = 0; i < Constraint::rows; ++i) {
+              if (chart_.is_in(part, row + i)) keep(chart_.place_in_part(row + i), from[i]);
+            }
+          },
+          constraints[c].constraint);
+    }
+    if (&part == &prescribed()) return;
+    const std::size_t first = first_function();
+    chart_.for_each_function(y_.data(), w_,
+                             [&](std::size_t k, const ConstraintRow<R>& row) { keep(first + k, row); });
+  }
+
+  /// Φ and C − z at the frames.
+  template <class Small>
+  [[gnu::flatten]] void find_residual(const R& t, const Small& x) {
+    for_each_row(t, free(), [this](std::size_t number, const ConstraintRow<R>& row) { residual_[number] = row.value; });
+    for (std::size_t k = 0; k < freedoms(); ++k) residual_[first_function() + k] -= x[k];
+  }
+
+  /// Rows and factors at the frames.
+  [[gnu::flatten]] void factorise_here(const R& t, const Part& part, R* numbers) {
+    for_each_row(t, part, [numbers](std::size_t number, const ConstraintRow<R>& row) {
+      CoordinateChart<R>::put(number, row, numbers);
+    });
+    part.lu.factorise(numbers);
+  }
+
+  [[gnu::flatten]] void find_gammas(const R& t, const Part& part) {
+    for_each_row(t, part, [this](std::size_t number, const ConstraintRow<R>& row) { gammas_[number] = row.gamma; });
+  }
+
+  template <class Small>
+  void find_velocities(const Place& place, const Small& x) {
+    const std::size_t f = freedoms();
+    const Moment& at = moments_[place.moment];
+    for (std::size_t i = 0; i < prescribed().size(); ++i) y_[n_ + prescribed().columns[i]] = at.rates[i];
+    for (std::size_t i = 0; i < free().size(); ++i) {
+      R rate = column(place, f, i);
+      for (std::size_t k = 0; k < f; ++k) rate += column(place, k, i) * x[f + k];
+      y_[n_ + free().columns[i]] = rate;
+    }
+  }
+
+  /// The largest element of a change of a part's coordinates, in the size of its coordinate.
+  template <class Step>
+  R size_of_step(const Part& part, const Step& step) const {
+    R size(0);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const std::size_t coordinate = part.columns[i];
+      R of_this = size_of(step(i));
+      if (coordinate % 3 != 2) {
+        of_this *= inverse_length_;
+      } else if (const R angle = size_of(y_[coordinate]); angle > 1) {
+        of_this /= angle;
+      }
+      size = std::max<R>(size, of_this);
+    }
+    return size;
+  }
+
+  /// q near those of the same time, or of the latest place.
+  template <class Small>
+  void guess(const Place& from, const R& t, const Small& x) {
+    if (!from.known) return;  // y_ is what was taken
+    const std::size_t f = freedoms();
+    std::copy(from.q.begin(), from.q.end(), y_.begin());
+    for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
+    if (from.t != t && accelerated_) {
+      const R dt = t - from.t;
+      for (std::size_t i = 0; i < n_; ++i) y_[i] += dt * (y_[n_ + i] + dt / 2 * w_.accelerations[i]);
+      for (std::size_t k = 0; k < f; ++k) right_[k] -= dt * (speeds_[k] + dt / 2 * accelerations_[k]);
+    }
+    add_along(from, right_.data(), y_.data());
+  }
+
+  template <class Small>
+  void find_places(const R& t, const Small& x) {
+    std::size_t same = 0;
+    while (same < places_.size() && !(places_[same].known && places_[same].t == t)) ++same;
+    const bool is_new = same == places_.size();
+    Place& from = places_[is_new ? latest_ : same];
+    guess(from, t, x);
+    // Into a place of its own: the others stay as they are if there is none.
+    Place& place = places_[spare_];
+    if (is_new) {
+      place_frames();
+      prescribe(t, moments_[place.moment]);
+      search(t, x, place, moments_[place.moment]);
+      place.number = ++counted_;
+    } else {
+      const Moment& now = moments_[from.moment];
+      for (std::size_t i = 0; i < now.frames.size(); ++i) w_.frames[prescribed().bodies[i]] = now.frames[i];
+      if (turn_frames(from)) {
+        step_by_factors(t, x, from);
+      } else {
+        place_frames(free());
+      }
+      search(t, x, place, now);
+      place.number = from.number;
+      std::swap(place.moment, from.moment);
+    }
+    place.t = t;
+    place.known = true;
+    std::copy(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n_), place.q.begin());
+    for (std::size_t k = 0; k < freedoms(); ++k) place.z[k] = x[k];
+    for (const std::size_t b : free().bodies) place.turns[b] = {w_.frames[b].cosine, w_.frames[b].sine};
+    latest_ = spare_;
+    spare_ = is_new ? oldest() : same;
+    places_[spare_].known = false;
+  }
+
+  /// The place to be given up next.
+  std::size_t oldest() const {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < places_.size(); ++i) {
+      if (places_[i].number < places_[found].number) found = i;
+    }
+    return found;
+  }
+
+  /// The prescribed coordinates from the frames, by Newton's method; their rates and accelerations.
+  void prescribe(const R& t, Moment& moment) {
+    const Part& part = prescribed();
+    if (part.size() == 0) return;
+    R* numbers = moment.numbers.data();
+    const auto solve = [&](const std::vector<R>& right, std::vector<R>& found) {
+      part.lu.solve(numbers, right.data(), found.data(), work_.data());
+    };
+    newton(part, [&] {
+      factorise_here(t, part, numbers);
+      for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = chart_.value(i, numbers);
+      solve(residual_, step_);
+      return [this](std::size_t i) { return step_[i]; };
+    });
+    for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = -chart_.time_rate(i, numbers);
+    solve(residual_, moment.rates);
+    for (std::size_t i = 0; i < part.size(); ++i) y_[n_ + part.columns[i]] = moment.rates[i];
+    move_frames_on(part);
+    find_gammas(t, part);
+    solve(gammas_, moment.accelerations);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) moment.frames[i] = w_.frames[part.bodies[i]];
+  }
+
+  /// One step of Newton's method with the factors of a place near by, from which the frames were turned.
+  template <class Small>
+  void step_by_factors(const R& t, const Small& x, const Place& from) {
+    find_residual(t, x);
+    free().lu.solve(from.numbers.data(), residual_.data(), step_.data(), work_.data());
+    const R size = size_of_step(free(), [this](std::size_t i) { return step_[i]; });
+    if (size <= rounding || !(size < R(longest_chord))) return;
+    for (std::size_t i = 0; i < free().size(); ++i) y_[free().columns[i]] -= step_[i];
+    if (!turn_frames(from)) place_frames(free());
+  }
+
+  /// The free coordinates from the frames, by Newton's method, with rows, factors, V and d.
+  template <class Small>
+  void search(const R& t, const Small& x, Place& place, const Moment& moment) {
+    const std::size_t left = freedoms() + 1;  // the column of what is left
+    newton(free(), [&] {
+      factorise_here(t, free(), place.numbers.data());
+      take_right_columns(x, place, moment);
+      solve_group(left / group, place);
+      return [&](std::size_t i) { return column(place, left, i); };
+    });
+    for (std::size_t g = 0; g < groups(); ++g) {
+      if (g != left / group) solve_group(g, place);
+    }
+  }
+
+  /// Moves the coordinates of a part, and its frames with them, by what each call of next_step returns, until the
+  /// factors that it has left are right to rounding.
+  template <class NextStep>
+  void newton(const Part& part, const NextStep& next_step) {
+    R before = std::numeric_limits<R>::infinity();
+    for (int iteration = 0;; ++iteration) {
+      const auto step = next_step();
+      const R size = size_of_step(part, step);
+      const bool stands = iteration > 0 && size >= before && size < 1000 * rounding;
+      if (size > rounding && !stands) {
+        if (!(size < 1) || iteration == most_iterations)
+          throw SingularConstraints("no places near the last ones fulfil the constraints");
+        for (std::size_t i = 0; i < part.size(); ++i) y_[part.columns[i]] -= step(i);
+        turn_frames(part);
+      }
+      if (size <= settled || stands) return;
+      before = size;
+    }
+  }
+
+  template <class Small>
+  void take_right_columns(const Small& x, const Place& place, const Moment& moment) {
+    const std::size_t n = free().size();
+    const std::size_t f = freedoms();
+    const R* numbers = place.numbers.data();
+    const auto drift = [this, n, f](std::size_t row) -> R& {
+      return right_columns_[(f / group) * n + row](index(f % group));
+    };
+    const auto left = [this, n, f](std::size_t row) -> R& {
+      return right_columns_[((f + 1) / group) * n + row](index((f + 1) % group));
+    };
+    for (std::size_t row = 0; row < n; ++row) {
+      drift(row) = -chart_.time_rate(row, numbers);
+      left(row) = chart_.value(row, numbers);
+    }
+    for (std::size_t k = 0; k < f; ++k) left(n - f + k) -= x[k];
+    chart_.for_each_coupling(numbers, [&](auto row, auto column, const R& k) { drift(row) -= k * moment.rates[column]; });
+  }
+
+  void solve_group(std::size_t g, Place& place) {
+    const std::size_t first = g * free().size();
+    free().lu.solve(place.numbers.data(), right_columns_.data() + first, place.columns.data() + first,
+                    column_work_.data());
+  }
+
+  void place_frame(std::size_t b) {
+    w_.frames[b] = PlanarFrame<R>(
+        PlanarMotion<R>{Vector2<R>(y_[3 * b], y_[3 * b + 1]), y_[3 * b + 2], Vector2<R>(R(0), R(0)), R(0)});
+  }
+  void place_frames() {
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) place_frame(b);
+  }
+  void place_frames(const Part& part) {
+    for (const std::size_t b : part.bodies) place_frame(b);
+  }
+
+  /// Where all have turned little since a place of the same time, from its cosines and sines. A stage asks a dozen times,
+  /// and each adds half a unit of rounding; the next step starts afresh.
+  bool turn_frames(const Place& from) {
+    for (const std::size_t b : free().bodies) {
+      const auto [cosine, sine] = from.turns[b];
+      if (!turn_frame(b, y_[3 * b + 2] - from.q[3 * b + 2], cosine, sine)) return false;
+    }
+    return true;
+  }
+  /// From where they are to where the coordinates have moved.
+  void turn_frames(const Part& part) {
+    for (const std::size_t b : part.bodies) {
+      const PlanarFrame<R>& frame = w_.frames[b];
+      if (!turn_frame(b, y_[3 * b + 2] - frame.angle, frame.cosine, frame.sine)) place_frame(b);
+    }
+  }
+  /// By a small angle from a cosine and a sine: by the series of its own, whose next terms are below rounding.
+  /// @returns false if the angle isn't small
+  bool turn_frame(std::size_t b, const R& angle, const R c, const R s) {
+    if (!(size_of(angle) < R(small_turn))) return false;
+    const R square = angle * angle;
+    const R sine = angle * (1 - square / 6 * (1 - square / 20));
+    const R versed = square / 2 * (1 - square / 12);
+    PlanarFrame<R>& frame = w_.frames[b];
+    frame.position = Vector2<R>(y_[3 * b], y_[3 * b + 1]);
+    frame.angle = y_[3 * b + 2];
+    frame.cosine = c - (c * versed + s * sine);
+    frame.sine = s - (s * versed - c * sine);
+    return true;
+  }
+
+  /// Gives the frames of a part's bodies their velocities.
+  void move_frames_on(const Part& part) {
+    for (const std::size_t b : part.bodies) {
+      w_.frames[b].velocity = Vector2<R>(y_[n_ + 3 * b], y_[n_ + 3 * b + 1]);
+      w_.frames[b].spin = y_[n_ + 3 * b + 2];
+    }
+  }
+
+  R inverse_length_ = R(1);  ///< of the largest coordinate of a mass centre when the chart was chosen [1/m]
+  /// Of the stages of a step and its start, and one to search in.
+  std::array<Place, 5> places_;
+  std::array<Moment, 5> moments_;  ///< of each one
+  std::size_t latest_ = 0;         ///< that of the last evaluation
+  std::size_t spare_ = 1;          ///< that of the next search
+  std::size_t counted_ = 0;        ///< times so far
+
+  // Work, kept so that no evaluation allocates.
+  std::vector<Columns> right_columns_, column_work_;
+  std::vector<R> right_, inside_;
 };
 
 }  // namespace lubjoint

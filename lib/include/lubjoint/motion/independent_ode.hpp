@@ -12,13 +12,13 @@
 namespace lubjoint {
 
 /// (z, ż) and, with a ledger, the work of each term, for the functions z = C(q) of a chart. With A = [Φq; C]:
-///   A q̇ = [−Φt; ż],  A V = [0; I],  A a = [γ; γ_C],  VᵀMV z̈ = Vᵀ(g − M a);  q̈ = a + V z̈;  Aᵀ[λ; 0] = g − M q̈.
+///   A V = [0; I],  A a = [γ; γ_C],  VᵀMV z̈ = Vᵀ(g − M a);  q̈ = a + V z̈;  Aᵀ[λ; 0] = g − M q̈.
 /// Derivatives are exact: q, q̇, z̈ and λ by implicit differentiation, with the factors at hand.
 /// @tparam N  number of states: twice the freedoms, and no ledger; or run_time_size
 template <class R, std::size_t N>
 class IndependentOde final : public OdeSystem<R, N>,
-                             public IndependentMotion<R, N == run_time_size ? 4 : static_cast<int>(N / 2)> {
-  using Motion = IndependentMotion<R, N == run_time_size ? 4 : static_cast<int>(N / 2)>;
+                             public IndependentMotion<R, N / 2> {
+  using Motion = IndependentMotion<R, N / 2>;
 
  public:
   using State = StateOf<R, N>;        ///< (z, ż, work)
@@ -36,13 +36,12 @@ class IndependentOde final : public OdeSystem<R, N>,
       : Motion(ode.system(), units, ode.dimension()),
         ode_(ode),
         dual_(system_.template workspace<Seeded>()),
-        forces_(n_),
         reduced_(freedoms() * freedoms()),
         seeded_(ode.dimension()),
         seeded_functions_(freedoms()),
         right_slopes_(n_),
         slopes_(n_),
-        slopes_work_(n_),
+        slopes_work_(3 * n_),
         q_slopes_(n_),
         reduced_slopes_(freedoms()) {
     for (std::size_t i = 0; i < n_; ++i) {
@@ -88,15 +87,15 @@ class IndependentOde final : public OdeSystem<R, N>,
   /// Rates of the whole state of the last expansion, from those of (z, ż, work).
   void expand_rate(const State& x_rate, Full& y_rate) {
     const std::size_t f = freedoms();
-    for (std::size_t row = 0; row < n_; ++row) residual_[row] = gammas_[row];
-    for (std::size_t k = 0; k < f; ++k) residual_[m_ + k] += x_rate[f + k];
-    chart_.solve(residual_.data(), y_rate.data() + n_, work_.data());
+    accelerate_unmoved(y_rate.data() + n_);
+    add_along(latest(), x_rate.data() + f, y_rate.data() + n_);
     for (std::size_t i = 2 * n_; i < y_rate.size(); ++i) y_rate[i] = x_rate[2 * f + i - 2 * n_];
   }
   /// The rates of (z, ż, work) in those of the whole state of the last expansion.
   void take_rate(const Full& y_rate, State& x_rate) {
     const std::size_t f = freedoms();
     if constexpr (N == run_time_size) x_rate.resize(dimension());
+    chart_.evaluate(y_.data(), w_, functions_.data());
     for (std::size_t k = 0; k < f; ++k) {
       x_rate[k] = along(functions_[k], k, y_.data() + n_);
       x_rate[f + k] = along(functions_[k], k, y_rate.data() + n_) - functions_[k].gamma;
@@ -131,10 +130,10 @@ class IndependentOde final : public OdeSystem<R, N>,
     if constexpr (N == run_time_size) j.setZero(index(states), index(states));
     for (std::size_t start = 0; start < 2 * f; start += width) {
       const std::size_t end = std::min<std::size_t>(2 * f, start + width);
-      const auto column_of = [&](std::size_t i, std::size_t k) { return column(k)[i](index(k % group)); };
-      for (std::size_t i = 0; i < n_; ++i) {
-        q_slopes_[i].setZero();
-        for (std::size_t k = start; k < std::min(end, f); ++k) q_slopes_[i](index(k - start)) = column_of(i, k);
+      for (Slopes& each : q_slopes_) each.setZero();
+      for (std::size_t i = 0; i < free().size(); ++i) {
+        Slopes& slopes = q_slopes_[free().columns[i]];
+        for (std::size_t k = start; k < std::min(end, f); ++k) slopes(index(k - start)) = column(latest(), k, i);
       }
       const auto z_rate_slope = [&](std::size_t k) {
         Slopes slope = Slopes::Zero();
@@ -158,13 +157,9 @@ class IndependentOde final : public OdeSystem<R, N>,
     accelerate(t);
     find_multipliers();
     const std::size_t f = freedoms();
-    for (std::size_t row = 0; row < m_; ++row) residual_[row] = -chart_.time_rate(row);
-    std::fill(residual_.begin() + static_cast<std::ptrdiff_t>(m_), residual_.end(), R(0));
-    chart_.solve(residual_.data(), step_.data(), work_.data());
-    for (std::size_t i = 0; i < n_; ++i) {
-      q_slopes_[i].setZero();
-      q_slopes_[i](0) = step_[i];
-    }
+    for (Slopes& each : q_slopes_) each.setZero();
+    for (std::size_t i = 0; i < prescribed().size(); ++i) q_slopes_[prescribed().columns[i]](0) = moment().rates[i];
+    for (std::size_t i = 0; i < free().size(); ++i) q_slopes_[free().columns[i]](0) = column(latest(), f, i);
     fill(Seeded::variable(t, 0), [](std::size_t) -> Slopes { return Slopes::Zero(); });
     for (std::size_t k = 0; k < f; ++k) {
       slope[k] = R(0);
@@ -177,21 +172,23 @@ class IndependentOde final : public OdeSystem<R, N>,
   using Slopes = typename Seeded::Derivatives;
   using Motion::accelerated_;
   using Motion::accelerations_;
+  using Motion::accelerate_unmoved;
   using Motion::add_along;
   using Motion::along;
   using Motion::chart_;
   using Motion::column;
   using Motion::follow;
   using Motion::forget;
+  using Motion::free;
   using Motion::functions_;
-  using Motion::gammas_;
   using Motion::group;
-  using Motion::groups;
   using Motion::index;
-  using Motion::latest_;
+  using Motion::latest;
   using Motion::m_;
+  using Motion::moment;
   using Motion::n_;
-  using Motion::places_;
+  using Motion::numbers;
+  using Motion::prescribed;
   using Motion::residual_;
   using Motion::speeds_;
   using Motion::step_;
@@ -200,6 +197,7 @@ class IndependentOde final : public OdeSystem<R, N>,
   using Motion::work_;
   using Motion::y_;
   using typename Motion::Columns;
+  using typename Motion::Place;
 
   static constexpr std::size_t not_chosen = std::numeric_limits<std::size_t>::max();
 
@@ -212,23 +210,22 @@ class IndependentOde final : public OdeSystem<R, N>,
     system_.apply_forces(ode_.memory(), w_, [this](std::size_t joint, JointKinematics<R>& at) {
       const std::size_t k = function_of_joint_[joint];
       if (k == not_chosen) return;
-      at.motion.eccentricity = Vector2<R>(places_[latest_].z[k], places_[latest_].z[k + 1]);
+      at.motion.eccentricity = Vector2<R>(latest().z[k], latest().z[k + 1]);
       at.motion.velocity = Vector2<R>(speeds_[k], speeds_[k + 1]);
     });
     if (!w_.slides.empty()) {  // their forces hold journals on lines: by the whole equations
       system_.evaluate(t, y_.data(), ode_.memory(), w_);
+      chart_.evaluate(y_.data(), w_, functions_.data());
       for (std::size_t k = 0; k < f; ++k)
         accelerations_[k] = along(functions_[k], k, w_.accelerations.data()) - functions_[k].gamma;
     } else {
       if (system_.has_elements()) system_.apply_elements(t, w_);
       R* a = w_.accelerations.data();
-      for (std::size_t row = 0; row < n_; ++row) residual_[row] = gammas_[row];
-      chart_.solve(residual_.data(), a, work_.data());
-      for (std::size_t i = 0; i < n_; ++i) forces_[i] = w_.forces[i] - masses_[i] * a[i];
+      accelerate_unmoved(a);
       factorise_reduced();
-      project(forces_.data(), accelerations_.data());
+      project([this, a](std::size_t c) { return R(w_.forces[c] - masses_[c] * a[c]); }, accelerations_.data());
       solve_reduced(accelerations_.data());
-      add_along(places_[latest_], accelerations_.data(), a);
+      add_along(latest(), accelerations_.data(), a);
     }
     accelerated_ = true;
   }
@@ -236,17 +233,35 @@ class IndependentOde final : public OdeSystem<R, N>,
   /// LDLᵀ of VᵀMV, 1/D in the diagonal.
   void factorise_reduced() {
     const std::size_t f = freedoms();
-    const Columns* all = places_[latest_].columns.data();
-    for (std::size_t g = 0; g < groups(); ++g) {
-      for (std::size_t h = 0; h <= g; ++h) {
-        Eigen::Array<R, group, group> block = Eigen::Array<R, group, group>::Zero();
-        for (std::size_t i = 0; i < n_; ++i) {
-          const Columns weighted = masses_[i] * all[g * n_ + i];
-          for (std::size_t l = 0; l < group; ++l) block.col(index(l)) += weighted * all[h * n_ + i](index(l));
+    const Place& place = latest();
+    const std::vector<std::size_t>& coordinates = free().columns;
+    if constexpr (N != run_time_size) {
+      std::array<R, N / 2 * (N / 2 + 1) / 2> sums{};  // a triangle, row by row
+      for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < f; ++k) {
+          const R weighted = masses_[coordinates[i]] * column(place, k, i);
+          for (std::size_t l = 0; l <= k; ++l) sums[at++] += weighted * column(place, l, i);
         }
-        for (std::size_t k = g * group; k < std::min<std::size_t>(f, (g + 1) * group); ++k) {
-          for (std::size_t l = h * group; l < std::min<std::size_t>(k + 1, (h + 1) * group); ++l)
-            reduced_[k * f + l] = block(index(k - g * group), index(l - h * group));
+      }
+      std::size_t at = 0;
+      for (std::size_t k = 0; k < f; ++k) {
+        for (std::size_t l = 0; l <= k; ++l) reduced_[k * f + l] = sums[at++];
+      }
+    } else {
+      const Columns* all = place.columns.data();
+      const std::size_t n = coordinates.size();
+      for (std::size_t g = 0; g * group < f; ++g) {
+        for (std::size_t h = 0; h <= g; ++h) {
+          Eigen::Array<R, group, group> block = Eigen::Array<R, group, group>::Zero();
+          for (std::size_t i = 0; i < n; ++i) {
+            const Columns weighted = masses_[coordinates[i]] * all[g * n + i];
+            for (std::size_t l = 0; l < group; ++l) block.col(index(l)) += weighted * all[h * n + i](index(l));
+          }
+          for (std::size_t k = g * group; k < std::min<std::size_t>(f, (g + 1) * group); ++k) {
+            for (std::size_t l = h * group; l < std::min<std::size_t>(k + 1, (h + 1) * group); ++l)
+              reduced_[k * f + l] = block(index(k - g * group), index(l - h * group));
+          }
         }
       }
     }
@@ -280,24 +295,17 @@ class IndependentOde final : public OdeSystem<R, N>,
     }
   }
 
-  /// Vᵀ x
-  template <class V>
-  void project(const V* x, V* out) const {
-    if constexpr (std::is_same_v<V, R>) {
-      const Columns* v = places_[latest_].columns.data();
-      for (std::size_t g = 0; g < groups(); ++g) {
-        Columns sum = Columns::Zero();
-        for (std::size_t i = 0; i < n_; ++i) sum += v[g * n_ + i] * x[i];
-        for (std::size_t k = g * group; k < std::min<std::size_t>(freedoms(), (g + 1) * group); ++k)
-          out[k] = sum(index(k - g * group));
-      }
-      return;
-    }
-    for (std::size_t k = 0; k < freedoms(); ++k) {
-      const Columns* v = column(k);
-      V sum = v[0](index(k % group)) * x[0];
-      for (std::size_t i = 1; i < n_; ++i) sum += v[i](index(k % group)) * x[i];
-      out[k] = sum;
+  /// Vᵀ x, x(c) that of coordinate c.
+  template <class At, class V>
+  void project(const At& x, V* out) const {
+    const std::size_t f = freedoms();
+    const Place& place = latest();
+    const std::vector<std::size_t>& coordinates = free().columns;
+    const V zero = x(coordinates[0]) - x(coordinates[0]);
+    for (std::size_t k = 0; k < f; ++k) out[k] = zero;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      const V here = x(coordinates[i]);
+      for (std::size_t k = 0; k < f; ++k) out[k] += column(place, k, i) * here;
     }
   }
 
@@ -305,26 +313,29 @@ class IndependentOde final : public OdeSystem<R, N>,
   void find_multipliers() {
     if (!w_.slides.empty()) return;  // the whole equations have found them
     for (std::size_t i = 0; i < n_; ++i) residual_[i] = w_.forces[i] - masses_[i] * w_.accelerations[i];
-    chart_.solve_transposed(residual_.data(), step_.data(), work_.data());
+    chart_.solve_transposed(numbers(), residual_.data(), step_.data(), work_.data());
     std::copy(step_.begin(), step_.begin() + static_cast<std::ptrdiff_t>(m_), w_.multipliers.begin());
   }
 
   /// Derivatives of z̈, into reduced_slopes_, and of the powers, from those of q at fixed ż, which are in q_slopes_, and
-  /// of ż. At the place of the last accelerate, with its multipliers.
+  /// of ż. At the place of the last accelerate, with its multipliers. What is prescribed depends on the time alone.
   template <class Time, class RateSlope>
   void fill(const Time& t, const RateSlope& z_rate_slope) {
     const std::size_t f = freedoms();
+    const bool whole = !std::is_same_v<Time, R> || ode_.with_ledger();
     // q̇: d(A) q̇ + A dq̇ = [−dΦt; dż].
     for (std::size_t i = 0; i < n_; ++i) {
       seeded_[i] = Seeded(y_[i], q_slopes_[i]);
       seeded_[n_ + i] = Seeded(y_[n_ + i]);
     }
-    system_.evaluate_kinematics(t, seeded_.data(), dual_);
-    chart_.evaluate(seeded_.data(), dual_, seeded_functions_.data());
-    for (std::size_t row = 0; row < m_; ++row) right_slopes_[row] = -system_.constraint_rate(row, dual_).derivatives();
+    place_seeded();
+    evaluate_rows(t, whole);
+    for_each_row(whole, [&](std::size_t row) {
+      right_slopes_[row] = -system_.constraint_rate(row, dual_).derivatives();
+    });
     for (std::size_t k = 0; k < f; ++k)
       right_slopes_[m_ + k] = z_rate_slope(k) - along(seeded_functions_[k], k, seeded_.data() + n_).derivatives();
-    chart_.solve(right_slopes_.data(), slopes_.data(), slopes_work_.data());
+    solve_slopes(whole, slopes_);
     for (std::size_t i = 0; i < n_; ++i) seeded_[n_ + i].derivatives() = slopes_[i];
     if (!w_.slides.empty()) {
       system_.evaluate(t, seeded_.data(), ode_.memory(), dual_);
@@ -333,12 +344,11 @@ class IndependentOde final : public OdeSystem<R, N>,
         reduced_slopes_[k] =
             (along(seeded_functions_[k], k, dual_.accelerations.data()) - seeded_functions_[k].gamma).derivatives();
     } else {
-      system_.place(seeded_.data(), dual_);
+      place_seeded();
       system_.apply_forces(ode_.memory(), dual_);
       if (system_.has_elements()) system_.apply_elements(t, dual_);
-      system_.evaluate_constraints(t, dual_);
-      chart_.evaluate(seeded_.data(), dual_, seeded_functions_.data());
-      differentiate_accelerations();
+      evaluate_rows(t, whole);
+      differentiate_accelerations(whole);
     }
     if (ode_.with_ledger()) {
       powers_.resize(ode_.works());
@@ -346,8 +356,59 @@ class IndependentOde final : public OdeSystem<R, N>,
     }
   }
 
+  /// Frames of seeded_, whose cosines and sines are those of w_'s.
+  void place_seeded() {
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const Seeded* q = seeded_.data() + 3 * b;
+      const Seeded* v = q + n_;
+      PlanarFrame<Seeded>& frame = dual_.frames[b];
+      frame.position = Vector2<Seeded>(q[0], q[1]);
+      frame.angle = q[2];
+      frame.velocity = Vector2<Seeded>(v[0], v[1]);
+      frame.spin = v[2];
+      frame.cosine = Seeded(w_.frames[b].cosine, Slopes(-w_.frames[b].sine * q[2].derivatives()));
+      frame.sine = Seeded(w_.frames[b].sine, Slopes(w_.frames[b].cosine * q[2].derivatives()));
+    }
+  }
+
+  /// Rows at these: all, or those that are not prescribed.
+  template <class Time>
+  void evaluate_rows(const Time& t, bool whole) {
+    if (whole) {
+      system_.evaluate_constraints(t, dual_);
+    } else {
+      for (const std::size_t c : free().constraints) system_.evaluate_constraint(c, t, dual_);
+    }
+    chart_.evaluate(seeded_.data(), dual_, seeded_functions_.data());
+  }
+
+  /// Calls act(row) for those of constraints.
+  template <class Act>
+  void for_each_row(bool whole, const Act& act) const {
+    if (whole) {
+      for (std::size_t row = 0; row < m_; ++row) act(row);
+    } else {
+      for (std::size_t i = 0; i < free().size() - freedoms(); ++i) act(free().rows[i]);
+    }
+  }
+
+  /// Solves A x = right_slopes_, of which the prescribed part is zero if not the whole is asked for.
+  void solve_slopes(bool whole, std::vector<Slopes>& x) {
+    if (whole) {
+      chart_.solve(numbers(), right_slopes_.data(), x.data(), slopes_work_.data());
+      return;
+    }
+    const std::size_t n = free().size();
+    Slopes* right = slopes_work_.data();
+    Slopes* found = right + n_;
+    for (std::size_t i = 0; i < n; ++i) right[i] = right_slopes_[free().rows[i]];
+    free().lu.solve(latest().numbers.data(), right, found, found + n_);
+    for (Slopes& each : x) each.setZero();
+    for (std::size_t i = 0; i < n; ++i) x[free().columns[i]] = found[i];
+  }
+
   /// With q̈ and λ held, A dq̈ = [dγ − dΦq q̈; dz̈ + dγ_C − dC q̈] and Vᵀ(M dq̈ + dΦqᵀ λ − dg) = 0.
-  void differentiate_accelerations() {
+  void differentiate_accelerations(bool whole) {
     const std::size_t f = freedoms();
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] = dual_.forces[i].derivatives();
     const auto side = [&](std::size_t row, std::size_t body, const std::array<Seeded, 3>& columns) {
@@ -357,31 +418,31 @@ class IndependentOde final : public OdeSystem<R, N>,
         if (row < m_) slopes_[3 * body + c] -= w_.multipliers[row] * columns[c].derivatives();
       }
     };
-    for (std::size_t row = 0; row < m_; ++row) {
+    for_each_row(whole, [&](std::size_t row) {
       right_slopes_[row] = dual_.rows[row].gamma.derivatives();
       side(row, system_.first_body_of_row(row), dual_.rows[row].first);
       side(row, system_.second_body_of_row(row), dual_.rows[row].second);
-    }
+    });
     for (std::size_t k = 0; k < f; ++k) {
       right_slopes_[m_ + k] = seeded_functions_[k].gamma.derivatives();
       const auto [first, second] = chart_.bodies_of(k);
       side(m_ + k, first, seeded_functions_[k].first);
       side(m_ + k, second, seeded_functions_[k].second);
     }
-    chart_.solve(right_slopes_.data(), q_slopes_.data(), slopes_work_.data());  // of q̈ without dz̈
+    solve_slopes(whole, q_slopes_);  // of q̈ without dz̈
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= masses_[i] * q_slopes_[i];
-    project(slopes_.data(), reduced_slopes_.data());
+    project([this](std::size_t c) -> const Slopes& { return slopes_[c]; }, reduced_slopes_.data());
     solve_reduced(reduced_slopes_.data());
     if (!ode_.with_ledger()) return;
-    for (std::size_t k = 0; k < f; ++k) {
-      const Columns* v = column(k);
-      for (std::size_t i = 0; i < n_; ++i) {
-        const Slopes part = v[i](index(k % group)) * reduced_slopes_[k];
-        q_slopes_[i] += part;
-        slopes_[i] -= masses_[i] * part;
+    for (std::size_t i = 0; i < free().size(); ++i) {
+      const std::size_t c = free().columns[i];
+      for (std::size_t k = 0; k < f; ++k) {
+        const Slopes part = column(latest(), k, i) * reduced_slopes_[k];
+        q_slopes_[c] += part;
+        slopes_[c] -= masses_[c] * part;
       }
     }
-    chart_.solve_transposed(slopes_.data(), right_slopes_.data(), slopes_work_.data());
+    chart_.solve_transposed(numbers(), slopes_.data(), right_slopes_.data(), slopes_work_.data());
     for (std::size_t i = 0; i < n_; ++i) dual_.accelerations[i] = Seeded(w_.accelerations[i], q_slopes_[i]);
     for (std::size_t row = 0; row < m_; ++row) dual_.multipliers[row] = Seeded(w_.multipliers[row], right_slopes_[row]);
   }
@@ -392,7 +453,6 @@ class IndependentOde final : public OdeSystem<R, N>,
   std::vector<R> masses_;                       ///< of every coordinate
 
   // Work, kept so that no evaluation allocates.
-  std::vector<R> forces_;
   std::vector<R> reduced_;  ///< factors of VᵀMV
   std::vector<Seeded> seeded_;
   std::vector<ConstraintRow<Seeded>> seeded_functions_;

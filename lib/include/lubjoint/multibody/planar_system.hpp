@@ -184,14 +184,17 @@ class PlanarSystem {
   /// Constraint rows of the frames.
   template <class T, class Time>
   void evaluate_constraints(const Time& t, SystemWorkspace<T>& w) const {
-    for (std::size_t c = 0; c < constraints_.size(); ++c) {
-      const Sides& sides = sides_[first_row_[c]];
-      std::visit(
-          [&](const auto& constraint) {
-            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
-          },
-          constraints_[c].constraint);
-    }
+    for (std::size_t c = 0; c < constraints_.size(); ++c) evaluate_constraint(c, t, w);
+  }
+  /// Those of one constraint.
+  template <class T, class Time>
+  void evaluate_constraint(std::size_t c, const Time& t, SystemWorkspace<T>& w) const {
+    const Sides& sides = sides_[first_row_[c]];
+    std::visit(
+        [&](const auto& constraint) {
+          constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[first_row_[c]]);
+        },
+        constraints_[c].constraint);
   }
 
   /// Factors of Φq M⁻¹ Φqᵀ of the rows. @throws SingularConstraints
