@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "lubjoint/motion/found_places.hpp"
 #include "lubjoint/multibody/coordinate_chart.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/step_interpolant.hpp"
@@ -28,7 +29,7 @@ class IndependentMotion {
 
   const CoordinateChart<R>& chart() const { return chart_; }  ///< the present one
   /// Of the chart at the last place: see CoordinateChart.
-  R wear() const { return chart_.wear(numbers()); }
+  R wear() const { return chart_.parts().wear(numbers()); }
   /// Number of z.
   std::size_t freedoms() const {
     if constexpr (Freedoms != run_time_size) {
@@ -42,16 +43,7 @@ class IndependentMotion {
   /// @throws SingularConstraints where there is no choice
   void choose(const R& t, const Full& y) {
     if (!chart_.choose(t, y.data(), w_)) throw SingularConstraints("the constraints are not independent");
-    for (Moment& each : moments_) {
-      each.rates.assign(prescribed().size(), R(0));
-      each.accelerations.assign(prescribed().size(), R(0));
-      each.frames.assign(prescribed().bodies.size(), PlanarFrame<R>(ground_motion<R>()));
-      each.numbers.assign(prescribed().lu.storage(), R(0));
-    }
-    for (Place& each : places_) {
-      each.columns.assign(free().size() * groups(), Columns::Zero());
-      each.numbers.assign(free().lu.storage(), R(0));
-    }
+    places_.resize(prescribed(), free(), groups());
     right_columns_.assign(free().size() * groups(), Columns::Zero());
     for (std::size_t k = 0; k < freedoms(); ++k)
       right_columns_[(k / group) * free().size() + first_function() + k](index(k % group)) = R(1);
@@ -85,8 +77,8 @@ class IndependentMotion {
     forget();
     step.state_at(t, freedoms(), inside_);
     std::copy_n(y.begin(), n_, y_.begin());
-    Place& place = places_[latest_];
-    Moment& moment = moments_[place.moment];
+    Place& place = places_.latest();
+    Moment& moment = places_.moment_of(place);
     place_frames();
     prescribe(t, moment);
     search(t, inside_, place, moment);
@@ -95,7 +87,7 @@ class IndependentMotion {
   }
 
  protected:
-  using Part = typename CoordinateChart<R>::Part;
+  using Part = typename ChartParts<R>::Part;
   /// Columns in one solution: V's, d, and the Newton step that is left.
   static constexpr std::size_t group = Freedoms == run_time_size ? 4 : Freedoms + 2;
   using Columns = Eigen::Array<R, static_cast<int>(group), 1>;  ///< so many columns at a coordinate
@@ -115,47 +107,24 @@ class IndependentMotion {
         residual_(n_),
         step_(n_),
         work_(3 * n_),
+        places_(system.bodies().size(), freedoms()),
         column_work_(n_),
-        right_(freedoms()) {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      places_[i].q.resize(n_);
-      places_[i].z.resize(freedoms());
-      places_[i].turns.resize(system.bodies().size());
-      places_[i].moment = i;
-    }
-  }
+        right_(freedoms()) {}
   IndependentMotion(const IndependentMotion&) = default;
 
-  /// What the time prescribes.
-  struct Moment {
-    std::vector<R> rates;                ///< of the prescribed coordinates, in their order
-    std::vector<R> accelerations;        ///< likewise
-    std::vector<PlanarFrame<R>> frames;  ///< of their bodies
-    std::vector<R> numbers;              ///< of their rows, and their factors
-  };
-  /// Coordinates that were found at a time: the stages of a step ask again and again for the same times.
-  struct Place {
-    R t{};
-    bool known = false;
-    std::size_t number = 0;  ///< counts places of new times
-    std::size_t moment = 0;  ///< of the prescribed coordinates there
-    std::vector<R> q;
-    std::vector<R> z;
-    std::vector<Columns> columns;         ///< V and d of the free coordinates, in their order
-    std::vector<std::array<R, 2>> turns;  ///< cosine and sine of the angles of the free coordinates' bodies
-    std::vector<R> numbers;               ///< of the free rows, and their factors
-  };
+  using Moment = typename FoundPlaces<R, Columns>::Moment;
+  using Place = typename FoundPlaces<R, Columns>::Place;
 
   void forget() {
-    for (Place& each : places_) each.known = false;
+    places_.forget();
     here_ = false;
     accelerated_ = false;
   }
-  const Part& prescribed() const { return chart_.prescribed_part(); }
-  const Part& free() const { return chart_.free_part(); }
-  const Place& latest() const { return places_[latest_]; }  ///< that of the last evaluation
-  const Moment& moment() const { return moments_[latest().moment]; }
-  typename CoordinateChart<R>::Numbers numbers() const { return {moment().numbers.data(), latest().numbers.data()}; }
+  const Part& prescribed() const { return chart_.parts().prescribed(); }
+  const Part& free() const { return chart_.parts().free(); }
+  const Place& latest() const { return places_.latest(); }  ///< that of the last evaluation
+  const Moment& moment() const { return places_.moment_of(latest()); }
+  typename ChartParts<R>::Numbers numbers() const { return {moment().numbers.data(), latest().numbers.data()}; }
   /// Column k of V, d after them, at the i-th free coordinate.
   const R& column(const Place& place, std::size_t k, std::size_t i) const {
     if constexpr (Freedoms != run_time_size) {
@@ -165,7 +134,10 @@ class IndependentMotion {
     }
   }
 
-  static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
+  static R size_of(const R& x) {
+    using std::abs;
+    return abs(x);
+  }
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
   std::size_t groups() const { return (freedoms() + 2 + group - 1) / group; }
   std::size_t first_function() const { return free().size() - freedoms(); }  ///< among the free rows
@@ -212,8 +184,8 @@ class IndependentMotion {
     move_frames_on(free());
     find_gammas(t, free());
     const std::vector<R>& prescribed = moment().accelerations;
-    chart_.for_each_coupling(latest().numbers.data(),
-                             [&](auto row, auto column, const R& k) { gammas_[row] -= k * prescribed[column]; });
+    chart_.parts().for_each_coupling(
+        latest().numbers.data(), [&](auto row, auto column, const R& k) { gammas_[row] -= k * prescribed[column]; });
     here_ = true;
   }
 
@@ -241,8 +213,6 @@ class IndependentMotion {
   static constexpr int most_iterations = 12;
   /// Of a step with the factors of another place at the same time: they are as far from right as it is long.
   static constexpr double longest_chord = 1e-4;
-  /// Turned by less, cosine and sine follow by their series.
-  static constexpr double small_turn = 1e-3;
   static constexpr R rounding = 4 * std::numeric_limits<R>::epsilon();
   /// A step that leaves the factors before it right to their own rounding.
   static constexpr R settled = 16 * rounding;
@@ -251,6 +221,7 @@ class IndependentMotion {
   /// which the compiler spares what it does not read.
   template <class Keep>
   void for_each_row(const R& t, const Part& part, const Keep& keep) {
+    const ChartParts<R>& parts = chart_.parts();
     const auto& constraints = system_.constraints();
     for (const std::size_t c : part.constraints) {
       const std::size_t row = system_.first_row(c);
@@ -261,15 +232,14 @@ class IndependentMotion {
             std::array<ConstraintRow<R>, Constraint::rows> from;
             constraint.evaluate(first, second, t, from.data());
             for (std::size_t i = 0; i < Constraint::rows; ++i) {
-              if (chart_.is_in(part, row + i)) keep(chart_.place_in_part(row + i), from[i]);
+              if (parts.is_in(part, row + i)) keep(parts.place_in_part(row + i), from[i]);
             }
           },
           constraints[c].constraint);
     }
     if (&part == &prescribed()) return;
     const std::size_t first = first_function();
-    chart_.for_each_function(y_.data(), w_,
-                             [&](std::size_t k, const ConstraintRow<R>& row) { keep(first + k, row); });
+    chart_.for_each_function(y_.data(), w_, [&](std::size_t k, const ConstraintRow<R>& row) { keep(first + k, row); });
   }
 
   /// Φ and C − z at the frames.
@@ -282,7 +252,7 @@ class IndependentMotion {
   /// Rows and factors at the frames.
   [[gnu::flatten]] void factorise_here(const R& t, const Part& part, R* numbers) {
     for_each_row(t, part, [numbers](std::size_t number, const ConstraintRow<R>& row) {
-      CoordinateChart<R>::put(number, row, numbers);
+      ChartParts<R>::put(number, row, numbers);
     });
     part.lu.factorise(numbers);
   }
@@ -294,7 +264,7 @@ class IndependentMotion {
   template <class Small>
   void find_velocities(const Place& place, const Small& x) {
     const std::size_t f = freedoms();
-    const Moment& at = moments_[place.moment];
+    const Moment& at = places_.moment_of(place);
     for (std::size_t i = 0; i < prescribed().size(); ++i) y_[n_ + prescribed().columns[i]] = at.rates[i];
     for (std::size_t i = 0; i < free().size(); ++i) {
       R rate = column(place, f, i);
@@ -315,7 +285,8 @@ class IndependentMotion {
       } else if (const R angle = size_of(y_[coordinate]); angle > 1) {
         of_this /= angle;
       }
-      size = std::max<R>(size, of_this);
+      if (!(of_this <= size)) size = of_this;
+      if (std::isnan(static_cast<double>(size))) break;
     }
     return size;
   }
@@ -337,47 +308,29 @@ class IndependentMotion {
 
   template <class Small>
   void find_places(const R& t, const Small& x) {
-    std::size_t same = 0;
-    while (same < places_.size() && !(places_[same].known && places_[same].t == t)) ++same;
-    const bool is_new = same == places_.size();
-    Place& from = places_[is_new ? latest_ : same];
-    guess(from, t, x);
-    // Into a place of its own: the others stay as they are if there is none.
-    Place& place = places_[spare_];
-    if (is_new) {
+    Place* same = places_.at(t);
+    Place& place = places_.spare();  // the others stay as they are if none is found
+    if (same == nullptr) {
+      guess(places_.latest(), t, x);
       place_frames();
-      prescribe(t, moments_[place.moment]);
-      search(t, x, place, moments_[place.moment]);
-      place.number = ++counted_;
+      Moment& moment = places_.moment_of(place);
+      prescribe(t, moment);
+      search(t, x, place, moment);
     } else {
-      const Moment& now = moments_[from.moment];
-      for (std::size_t i = 0; i < now.frames.size(); ++i) w_.frames[prescribed().bodies[i]] = now.frames[i];
-      if (turn_frames(from)) {
-        step_by_factors(t, x, from);
+      guess(*same, t, x);
+      const Moment& moment = places_.moment_of(*same);
+      for (std::size_t i = 0; i < moment.frames.size(); ++i) w_.frames[prescribed().bodies[i]] = moment.frames[i];
+      if (turn_frames(*same)) {
+        step_by_factors(t, x, *same);
       } else {
         place_frames(free());
       }
-      search(t, x, place, now);
-      place.number = from.number;
-      std::swap(place.moment, from.moment);
+      search(t, x, place, moment);
     }
-    place.t = t;
-    place.known = true;
     std::copy(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n_), place.q.begin());
     for (std::size_t k = 0; k < freedoms(); ++k) place.z[k] = x[k];
     for (const std::size_t b : free().bodies) place.turns[b] = {w_.frames[b].cosine, w_.frames[b].sine};
-    latest_ = spare_;
-    spare_ = is_new ? oldest() : same;
-    places_[spare_].known = false;
-  }
-
-  /// The place to be given up next.
-  std::size_t oldest() const {
-    std::size_t found = 0;
-    for (std::size_t i = 1; i < places_.size(); ++i) {
-      if (places_[i].number < places_[found].number) found = i;
-    }
-    return found;
+    places_.take_spare(t, same);
   }
 
   /// The prescribed coordinates from the frames, by Newton's method; their rates and accelerations.
@@ -390,11 +343,11 @@ class IndependentMotion {
     };
     newton(part, [&] {
       factorise_here(t, part, numbers);
-      for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = chart_.value(i, numbers);
+      for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = ChartParts<R>::value(i, numbers);
       solve(residual_, step_);
       return [this](std::size_t i) { return step_[i]; };
     });
-    for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = -chart_.time_rate(i, numbers);
+    for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = -ChartParts<R>::time_rate(i, numbers);
     solve(residual_, moment.rates);
     for (std::size_t i = 0; i < part.size(); ++i) y_[n_ + part.columns[i]] = moment.rates[i];
     move_frames_on(part);
@@ -438,7 +391,7 @@ class IndependentMotion {
       const auto step = next_step();
       const R size = size_of_step(part, step);
       const bool stands = iteration > 0 && size >= before && size < 1000 * rounding;
-      if (size > rounding && !stands) {
+      if (!(size <= rounding) && !stands) {
         if (!(size < 1) || iteration == most_iterations)
           throw SingularConstraints("no places near the last ones fulfil the constraints");
         for (std::size_t i = 0; i < part.size(); ++i) y_[part.columns[i]] -= step(i);
@@ -461,11 +414,12 @@ class IndependentMotion {
       return right_columns_[((f + 1) / group) * n + row](index((f + 1) % group));
     };
     for (std::size_t row = 0; row < n; ++row) {
-      drift(row) = -chart_.time_rate(row, numbers);
-      left(row) = chart_.value(row, numbers);
+      drift(row) = -ChartParts<R>::time_rate(row, numbers);
+      left(row) = ChartParts<R>::value(row, numbers);
     }
     for (std::size_t k = 0; k < f; ++k) left(n - f + k) -= x[k];
-    chart_.for_each_coupling(numbers, [&](auto row, auto column, const R& k) { drift(row) -= k * moment.rates[column]; });
+    chart_.parts().for_each_coupling(
+        numbers, [&](auto row, auto column, const R& k) { drift(row) -= k * moment.rates[column]; });
   }
 
   void solve_group(std::size_t g, Place& place) {
@@ -485,37 +439,22 @@ class IndependentMotion {
     for (const std::size_t b : part.bodies) place_frame(b);
   }
 
-  /// Where all have turned little since a place of the same time, from its cosines and sines. A stage asks a dozen times,
-  /// and each adds half a unit of rounding; the next step starts afresh.
+  /// Where all have turned little since a place of the same time, from its cosines and sines. A stage asks a dozen
+  /// times, and each adds half a unit of rounding; the next step starts afresh.
   bool turn_frames(const Place& from) {
     for (const std::size_t b : free().bodies) {
       const auto [cosine, sine] = from.turns[b];
-      if (!turn_frame(b, y_[3 * b + 2] - from.q[3 * b + 2], cosine, sine)) return false;
+      if (!turn_frame(w_.frames[b], y_.data() + 3 * b, y_[3 * b + 2] - from.q[3 * b + 2], cosine, sine)) return false;
     }
     return true;
   }
   /// From where they are to where the coordinates have moved.
   void turn_frames(const Part& part) {
     for (const std::size_t b : part.bodies) {
-      const PlanarFrame<R>& frame = w_.frames[b];
-      if (!turn_frame(b, y_[3 * b + 2] - frame.angle, frame.cosine, frame.sine)) place_frame(b);
+      PlanarFrame<R>& frame = w_.frames[b];
+      if (!turn_frame(frame, y_.data() + 3 * b, y_[3 * b + 2] - frame.angle, frame.cosine, frame.sine)) place_frame(b);
     }
   }
-  /// By a small angle from a cosine and a sine: by the series of its own, whose next terms are below rounding.
-  /// @returns false if the angle isn't small
-  bool turn_frame(std::size_t b, const R& angle, const R c, const R s) {
-    if (!(size_of(angle) < R(small_turn))) return false;
-    const R square = angle * angle;
-    const R sine = angle * (1 - square / 6 * (1 - square / 20));
-    const R versed = square / 2 * (1 - square / 12);
-    PlanarFrame<R>& frame = w_.frames[b];
-    frame.position = Vector2<R>(y_[3 * b], y_[3 * b + 1]);
-    frame.angle = y_[3 * b + 2];
-    frame.cosine = c - (c * versed + s * sine);
-    frame.sine = s - (s * versed - c * sine);
-    return true;
-  }
-
   /// Gives the frames of a part's bodies their velocities.
   void move_frames_on(const Part& part) {
     for (const std::size_t b : part.bodies) {
@@ -525,12 +464,7 @@ class IndependentMotion {
   }
 
   R inverse_length_ = R(1);  ///< of the largest coordinate of a mass centre when the chart was chosen [1/m]
-  /// Of the stages of a step and its start, and one to search in.
-  std::array<Place, 5> places_;
-  std::array<Moment, 5> moments_;  ///< of each one
-  std::size_t latest_ = 0;         ///< that of the last evaluation
-  std::size_t spare_ = 1;          ///< that of the next search
-  std::size_t counted_ = 0;        ///< times so far
+  FoundPlaces<R, Columns> places_;
 
   // Work, kept so that no evaluation allocates.
   std::vector<Columns> right_columns_, column_work_;

@@ -8,6 +8,7 @@
 
 #include "lubjoint/motion/independent_motion.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
+#include "lubjoint/motion/reduced_mass.hpp"
 
 namespace lubjoint {
 
@@ -16,8 +17,7 @@ namespace lubjoint {
 /// Derivatives are exact: q, q̇, z̈ and λ by implicit differentiation, with the factors at hand.
 /// @tparam N  number of states: twice the freedoms, and no ledger; or run_time_size
 template <class R, std::size_t N>
-class IndependentOde final : public OdeSystem<R, N>,
-                             public IndependentMotion<R, N / 2> {
+class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R, N / 2> {
   using Motion = IndependentMotion<R, N / 2>;
 
  public:
@@ -36,7 +36,7 @@ class IndependentOde final : public OdeSystem<R, N>,
       : Motion(ode.system(), units, ode.dimension()),
         ode_(ode),
         dual_(system_.template workspace<Seeded>()),
-        reduced_(freedoms() * freedoms()),
+        reduced_(freedoms()),
         seeded_(ode.dimension()),
         seeded_functions_(freedoms()),
         right_slopes_(n_),
@@ -170,9 +170,9 @@ class IndependentOde final : public OdeSystem<R, N>,
 
  private:
   using Slopes = typename Seeded::Derivatives;
+  using Motion::accelerate_unmoved;
   using Motion::accelerated_;
   using Motion::accelerations_;
-  using Motion::accelerate_unmoved;
   using Motion::add_along;
   using Motion::along;
   using Motion::chart_;
@@ -181,7 +181,6 @@ class IndependentOde final : public OdeSystem<R, N>,
   using Motion::forget;
   using Motion::free;
   using Motion::functions_;
-  using Motion::group;
   using Motion::index;
   using Motion::latest;
   using Motion::m_;
@@ -222,77 +221,13 @@ class IndependentOde final : public OdeSystem<R, N>,
       if (system_.has_elements()) system_.apply_elements(t, w_);
       R* a = w_.accelerations.data();
       accelerate_unmoved(a);
-      factorise_reduced();
+      reduced_.factorise(
+          free().size(), [this](std::size_t i) { return masses_[free().columns[i]]; }, latest().columns.data());
       project([this, a](std::size_t c) { return R(w_.forces[c] - masses_[c] * a[c]); }, accelerations_.data());
-      solve_reduced(accelerations_.data());
+      reduced_.solve(accelerations_.data());
       add_along(latest(), accelerations_.data(), a);
     }
     accelerated_ = true;
-  }
-
-  /// LDLᵀ of VᵀMV, 1/D in the diagonal.
-  void factorise_reduced() {
-    const std::size_t f = freedoms();
-    const Place& place = latest();
-    const std::vector<std::size_t>& coordinates = free().columns;
-    if constexpr (N != run_time_size) {
-      std::array<R, N / 2 * (N / 2 + 1) / 2> sums{};  // a triangle, row by row
-      for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        std::size_t at = 0;
-        for (std::size_t k = 0; k < f; ++k) {
-          const R weighted = masses_[coordinates[i]] * column(place, k, i);
-          for (std::size_t l = 0; l <= k; ++l) sums[at++] += weighted * column(place, l, i);
-        }
-      }
-      std::size_t at = 0;
-      for (std::size_t k = 0; k < f; ++k) {
-        for (std::size_t l = 0; l <= k; ++l) reduced_[k * f + l] = sums[at++];
-      }
-    } else {
-      const Columns* all = place.columns.data();
-      const std::size_t n = coordinates.size();
-      for (std::size_t g = 0; g * group < f; ++g) {
-        for (std::size_t h = 0; h <= g; ++h) {
-          Eigen::Array<R, group, group> block = Eigen::Array<R, group, group>::Zero();
-          for (std::size_t i = 0; i < n; ++i) {
-            const Columns weighted = masses_[coordinates[i]] * all[g * n + i];
-            for (std::size_t l = 0; l < group; ++l) block.col(index(l)) += weighted * all[h * n + i](index(l));
-          }
-          for (std::size_t k = g * group; k < std::min<std::size_t>(f, (g + 1) * group); ++k) {
-            for (std::size_t l = h * group; l < std::min<std::size_t>(k + 1, (h + 1) * group); ++l)
-              reduced_[k * f + l] = block(index(k - g * group), index(l - h * group));
-          }
-        }
-      }
-    }
-    for (std::size_t k = 0; k < f; ++k) {
-      R* row = reduced_.data() + k * f;
-      const R whole = row[k];
-      for (std::size_t l = 0; l < k; ++l) {
-        const R* earlier = reduced_.data() + l * f;
-        for (std::size_t i = 0; i < l; ++i) row[l] -= row[i] * earlier[i];  // L_ki D_i, not yet divided
-      }
-      for (std::size_t l = 0; l < k; ++l) {
-        const R times_d = row[l];
-        row[l] *= reduced_[l * f + l];
-        row[k] -= times_d * row[l];
-      }
-      if (!(row[k] > whole * 64 * std::numeric_limits<R>::epsilon()))
-        throw SingularConstraints("the mass that the free coordinates move is singular here");
-      row[k] = 1 / row[k];
-    }
-  }
-
-  template <class V>
-  void solve_reduced(V* b) const {
-    const std::size_t f = freedoms();
-    for (std::size_t k = 1; k < f; ++k) {
-      for (std::size_t l = 0; l < k; ++l) b[k] -= reduced_[k * f + l] * b[l];
-    }
-    for (std::size_t k = f; k-- > 0;) {
-      b[k] *= reduced_[k * f + k];
-      for (std::size_t l = k + 1; l < f; ++l) b[k] -= reduced_[l * f + k] * b[l];
-    }
   }
 
   /// Vᵀ x, x(c) that of coordinate c.
@@ -313,7 +248,7 @@ class IndependentOde final : public OdeSystem<R, N>,
   void find_multipliers() {
     if (!w_.slides.empty()) return;  // the whole equations have found them
     for (std::size_t i = 0; i < n_; ++i) residual_[i] = w_.forces[i] - masses_[i] * w_.accelerations[i];
-    chart_.solve_transposed(numbers(), residual_.data(), step_.data(), work_.data());
+    chart_.parts().solve_transposed(numbers(), residual_.data(), step_.data(), work_.data());
     std::copy(step_.begin(), step_.begin() + static_cast<std::ptrdiff_t>(m_), w_.multipliers.begin());
   }
 
@@ -330,9 +265,8 @@ class IndependentOde final : public OdeSystem<R, N>,
     }
     place_seeded();
     evaluate_rows(t, whole);
-    for_each_row(whole, [&](std::size_t row) {
-      right_slopes_[row] = -system_.constraint_rate(row, dual_).derivatives();
-    });
+    for_each_row(whole,
+                 [&](std::size_t row) { right_slopes_[row] = -system_.constraint_rate(row, dual_).derivatives(); });
     for (std::size_t k = 0; k < f; ++k)
       right_slopes_[m_ + k] = z_rate_slope(k) - along(seeded_functions_[k], k, seeded_.data() + n_).derivatives();
     solve_slopes(whole, slopes_);
@@ -395,7 +329,7 @@ class IndependentOde final : public OdeSystem<R, N>,
   /// Solves A x = right_slopes_, of which the prescribed part is zero if not the whole is asked for.
   void solve_slopes(bool whole, std::vector<Slopes>& x) {
     if (whole) {
-      chart_.solve(numbers(), right_slopes_.data(), x.data(), slopes_work_.data());
+      chart_.parts().solve(numbers(), right_slopes_.data(), x.data(), slopes_work_.data());
       return;
     }
     const std::size_t n = free().size();
@@ -432,7 +366,7 @@ class IndependentOde final : public OdeSystem<R, N>,
     solve_slopes(whole, q_slopes_);  // of q̈ without dz̈
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= masses_[i] * q_slopes_[i];
     project([this](std::size_t c) -> const Slopes& { return slopes_[c]; }, reduced_slopes_.data());
-    solve_reduced(reduced_slopes_.data());
+    reduced_.solve(reduced_slopes_.data());
     if (!ode_.with_ledger()) return;
     for (std::size_t i = 0; i < free().size(); ++i) {
       const std::size_t c = free().columns[i];
@@ -442,7 +376,7 @@ class IndependentOde final : public OdeSystem<R, N>,
         slopes_[c] -= masses_[c] * part;
       }
     }
-    chart_.solve_transposed(numbers(), slopes_.data(), right_slopes_.data(), slopes_work_.data());
+    chart_.parts().solve_transposed(numbers(), slopes_.data(), right_slopes_.data(), slopes_work_.data());
     for (std::size_t i = 0; i < n_; ++i) dual_.accelerations[i] = Seeded(w_.accelerations[i], q_slopes_[i]);
     for (std::size_t row = 0; row < m_; ++row) dual_.multipliers[row] = Seeded(w_.multipliers[row], right_slopes_[row]);
   }
@@ -453,7 +387,7 @@ class IndependentOde final : public OdeSystem<R, N>,
   std::vector<R> masses_;                       ///< of every coordinate
 
   // Work, kept so that no evaluation allocates.
-  std::vector<R> reduced_;  ///< factors of VᵀMV
+  ReducedMass<R, N / 2, Columns> reduced_;  ///< VᵀMV
   std::vector<Seeded> seeded_;
   std::vector<ConstraintRow<Seeded>> seeded_functions_;
   std::vector<Slopes> right_slopes_, slopes_, slopes_work_, q_slopes_, reduced_slopes_;

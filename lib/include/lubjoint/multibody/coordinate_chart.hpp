@@ -8,11 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "lubjoint/multibody/listed_lu.hpp"
+#include "lubjoint/multibody/chart_parts.hpp"
 #include "lubjoint/multibody/planar_system.hpp"
 
 namespace lubjoint {
@@ -24,28 +23,11 @@ namespace lubjoint {
 /// whose Jacobian A = [Φq; C] is factorised in the order that was found when the chart was chosen. A chart is worn out
 /// where a pivot has become small; another choice then takes over.
 ///
-/// Coordinates that the time alone prescribes, such as those of a crank that is driven, come first with the constraints
-/// that say so: A = [P 0; K F] in these and the others, which are free.
+/// Coordinates that the time alone prescribes, such as those of a crank that is driven, are found apart: see
+/// ChartParts.
 template <class R>
 class CoordinateChart {
  public:
-  /// The prescribed coordinates, or the free ones, with their rows of A.
-  struct Part {
-    std::vector<std::size_t> rows;         ///< of constraints, then of the functions, which are all free
-    std::vector<std::size_t> columns;      ///< numbers of the coordinates, as many
-    std::vector<std::size_t> constraints;  ///< that have a row here
-    std::vector<std::size_t> bodies;       ///< that have a coordinate here
-    ListedLu<R> lu;                        ///< of the rows and columns as counted here
-    std::vector<R> first_inverse_pivots;   ///< when it was chosen
-
-    std::size_t size() const { return rows.size(); }  ///< of rows, and of columns
-  };
-  /// What is kept of A at a place: of each part's rows, and its factors.
-  struct Numbers {
-    const R* prescribed;  ///< P
-    const R* free;        ///< K and F
-  };
-
   /// @param units  in which the coordinates of the bodies are comparable: one for every coordinate
   CoordinateChart(const PlanarSystem<R>& system, std::vector<R> units)
       : system_(&system), units_(std::move(units)), m_(system.constraint_rows()), n_(system.coordinates()) {
@@ -68,12 +50,7 @@ class CoordinateChart {
   /// The coordinate that function k is.
   std::size_t coordinate_of(std::size_t k) const { return chosen_[k] - 2 * pins_.size(); }
 
-  const Part& prescribed_part() const { return prescribed_; }  ///< may be empty
-  const Part& free_part() const { return free_; }              ///< the others
-  /// Is a row of A one of this part?
-  bool is_in(const Part& part, std::size_t row) const { return (is_prescribed_[row] != 0) == (&part == &prescribed_); }
-  /// Its number in its part.
-  std::size_t place_in_part(std::size_t row) const { return place_in_part_[row]; }
+  const ChartParts<R>& parts() const { return parts_; }  ///< A, and what is solved with it
 
   /// Evaluates the functions at the frames of a workspace and hands each of their rows to keep(k, row): z and its
   /// derivatives; γ_C of C q̈ = z̈ + γ_C. The compiler spares what keep does not read.
@@ -112,7 +89,7 @@ class CoordinateChart {
     sides_.clear();
     for (std::size_t i = 0; i < m_; ++i)
       sides_.push_back({system_->first_body_of_row(i), system_->second_body_of_row(i)});
-    for (std::size_t k = 0; k < freedoms(); ++k) sides_.push_back(bodies_of(k));
+    for (std::size_t k = 0; k < freedoms(); ++k) sides_.push_back({bodies_of(k).first, bodies_of(k).second});
     std::vector<ConstraintRow<R>> rows = all_rows(y, w);
     std::vector<R> a = scattered(rows);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -122,86 +99,16 @@ class CoordinateChart {
       for (std::size_t j = 0; j < n_; ++j) a[i * n_ + j] *= units_[j] / size;
     }
     const std::vector<bool> may_differ = pattern();
-    find_parts(may_differ);
-    return start_part(prescribed_, a, may_differ, rows) && start_part(free_, a, may_differ, rows);
-  }
-
-  // The numbers of A at a place, and its factors, are the caller's, as many for each part as its lu.storage() says.
-
-  /// Takes a row of A, by its number in its part.
-  static void put(std::size_t row, const ConstraintRow<R>& from, R* numbers) {
-    R* of_row = numbers + row * row_numbers;
-    of_row[0] = from.value;
-    of_row[1] = from.time_rate;
-    for (std::size_t k = 0; k < 3; ++k) {
-      of_row[first_derivative + k] = from.first[k];
-      of_row[first_derivative + 3 + k] = from.second[k];
-    }
-  }
-  /// Of a row: Φ or z.
-  static const R& value(std::size_t row, const R* numbers) { return numbers[row * row_numbers]; }
-  /// Φt
-  static const R& time_rate(std::size_t row, const R* numbers) { return numbers[row * row_numbers + 1]; }
-
-  /// Calls visit(row, column, value) for each element of K, counted in the parts.
-  template <class Visit>
-  void for_each_coupling(const R* numbers, const Visit& visit) const {
-    for (const Coupling& each : coupling_) visit(each.row, each.column, numbers[each.place]);
-  }
-
-  /// Solves A x = b. V: R, or several right-hand sides at once.
-  /// @param b  of the constraints' rows, then of the functions;  @param work  three times as many
-  template <class V>
-  void solve(const Numbers& numbers, const V* b, V* x, V* work) const {
-    const auto [right, found, rest] = std::tuple(work, work + n_, work + 2 * n_);
-    for (std::size_t i = 0; i < prescribed_.size(); ++i) right[i] = b[prescribed_.rows[i]];
-    prescribed_.lu.solve(numbers.prescribed, right, found, rest);
-    for (std::size_t i = 0; i < prescribed_.size(); ++i) x[prescribed_.columns[i]] = found[i];
-    for (std::size_t i = 0; i < free_.size(); ++i) right[i] = b[free_.rows[i]];
-    for_each_coupling(numbers.free, [&](auto row, auto column, const R& k) { right[row] -= k * x[prescribed_.columns[column]]; });
-    free_.lu.solve(numbers.free, right, found, rest);
-    for (std::size_t i = 0; i < free_.size(); ++i) x[free_.columns[i]] = found[i];
-  }
-  /// Solves Aᵀ x = b.
-  template <class V>
-  void solve_transposed(const Numbers& numbers, const V* b, V* x, V* work) const {
-    const auto [right, found, rest] = std::tuple(work, work + n_, work + 2 * n_);
-    for (std::size_t i = 0; i < free_.size(); ++i) right[i] = b[free_.columns[i]];
-    free_.lu.solve_transposed(numbers.free, right, found, rest);
-    for (std::size_t i = 0; i < free_.size(); ++i) x[free_.rows[i]] = found[i];
-    for (std::size_t i = 0; i < prescribed_.size(); ++i) right[i] = b[prescribed_.columns[i]];
-    for_each_coupling(numbers.free, [&](auto row, auto column, const R& k) { right[column] -= k * x[free_.rows[row]]; });
-    prescribed_.lu.solve_transposed(numbers.prescribed, right, found, rest);
-    for (std::size_t i = 0; i < prescribed_.size(); ++i) x[prescribed_.rows[i]] = found[i];
-  }
-
-  /// How much smaller than when they were chosen the pivots have become: 1 for a fresh chart, 0 where it ends.
-  R wear(const Numbers& numbers) const {
-    R most(1);
-    const auto look_at = [&most](const Part& part, const R* values) {
-      for (std::size_t k = 0; k < part.size(); ++k)
-        most = std::max<R>(most, size_of(part.lu.inverse_pivot(k, values)) / part.first_inverse_pivots[k]);
-    };
-    look_at(prescribed_, numbers.prescribed);
-    look_at(free_, numbers.free);
-    return 1 / most;
+    parts_.divide(*system_, sides_, may_differ, moved_coordinates());
+    return parts_.start(a, may_differ, rows);
   }
 
  private:
-  using Number = typename ListedLu<R>::Number;
-  /// An element of K.
-  struct Coupling {
-    Number row, column, place;
-  };
   struct Candidate {
     std::size_t part;  // 0, 1: of a joint; 0, 1, 2: of a body
     std::size_t first;
     std::size_t second;
   };
-  /// A row among the numbers: value, time rate, derivatives of the first body, of the second, which factors replace.
-  static constexpr std::size_t row_numbers = 8;
-  static constexpr std::size_t first_derivative = 2;
-
   static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
 
   template <class Put>
@@ -280,96 +187,6 @@ class CoordinateChart {
     return true;
   }
 
-  /// Prescribed are the coordinates that no function moves, at places without any symmetry, if constraints of these
-  /// alone are as many.
-  void find_parts(const std::vector<bool>& may_differ) {
-    std::vector<bool> moved = moved_coordinates();
-    const auto is_of_prescribed = [&](std::size_t row) {
-      for (std::size_t j = 0; j < n_; ++j) {
-        if (may_differ[row * n_ + j] && moved[j]) return false;
-      }
-      return row < m_;
-    };
-    is_prescribed_.assign(n_, 0);
-    for (std::size_t i = 0; i < n_; ++i) is_prescribed_[i] = is_of_prescribed(i);
-    if (std::count(is_prescribed_.begin(), is_prescribed_.end(), 1) !=
-        std::count(moved.begin(), moved.end(), false)) {
-      moved.assign(n_, true);
-      is_prescribed_.assign(n_, 0);
-    }
-    place_in_part_.assign(n_, 0);
-    for (Part* part : {&prescribed_, &free_}) {
-      *part = Part();
-      const auto add_once = [](std::vector<std::size_t>& to, std::size_t number) {
-        if (to.empty() || to.back() != number) to.push_back(number);
-      };
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (!is_in(*part, i)) continue;
-        place_in_part_[i] = part->rows.size();
-        part->rows.push_back(i);
-      }
-      for (std::size_t j = 0; j < n_; ++j) {
-        if (moved[j] != (part == &free_)) continue;
-        part->columns.push_back(j);
-        add_once(part->bodies, j / 3);
-      }
-      for (std::size_t c = 0; c < system_->constraints().size(); ++c) {
-        for (std::size_t row = system_->first_row(c); row < system_->first_row(c + 1); ++row) {
-          if (is_in(*part, row)) add_once(part->constraints, c);
-        }
-      }
-    }
-    coupling_.clear();
-    for_each_entry([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
-      if (is_prescribed_[row] || moved[column] || !may_differ[row * n_ + column]) return;
-      const auto found = std::find(prescribed_.columns.begin(), prescribed_.columns.end(), column);
-      coupling_.push_back({static_cast<Number>(place_in_part_[row]),
-                           static_cast<Number>(found - prescribed_.columns.begin()),
-                           number_of(place_in_part_[row], second, k)});
-    });
-  }
-
-  static Number number_of(std::size_t row_in_part, bool second, std::size_t k) {
-    return static_cast<Number>(row_in_part * row_numbers + first_derivative + (second ? 3 : 0) + k);
-  }
-
-  /// Finds the order of a part's pivots. @param a  all of A, of a size that compares
-  bool start_part(Part& part, const std::vector<R>& a, const std::vector<bool>& may_differ,
-                  const std::vector<ConstraintRow<R>>& rows) const {
-    const std::size_t n = part.size();
-    std::vector<R> elements(n * n);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) elements[i * n + j] = a[part.rows[i] * n_ + part.columns[j]];
-    }
-    std::vector<Number> places(n * n, ListedLu<R>::none);
-    for_each_entry([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
-      if (!is_in(part, row) || !may_differ[row * n_ + column]) return;
-      const auto found = std::find(part.columns.begin(), part.columns.end(), column);
-      if (found == part.columns.end()) return;
-      const std::size_t i = place_in_part_[row];
-      places[i * n + static_cast<std::size_t>(found - part.columns.begin())] = number_of(i, second, k);
-    });
-    if (!part.lu.find_order(n, std::move(elements), places, n * row_numbers)) return false;
-    std::vector<R> numbers(part.lu.storage(), R(0));
-    for (std::size_t i = 0; i < n; ++i) put(i, rows[part.rows[i]], numbers.data());
-    part.lu.factorise(numbers.data());
-    part.first_inverse_pivots.resize(n);
-    for (std::size_t k = 0; k < n; ++k)
-      part.first_inverse_pivots[k] = size_of(part.lu.inverse_pivot(k, numbers.data()));
-    return true;
-  }
-
-  template <class Put>
-  void for_each_entry(const Put& put) const {
-    for (std::size_t row = 0; row < n_; ++row) {
-      for (const bool second : {false, true}) {
-        const std::size_t body = second ? sides_[row].second : sides_[row].first;
-        if (body == ground_body) continue;
-        for (std::size_t k = 0; k < 3; ++k) put(row, second, k, 3 * body + k);
-      }
-    }
-  }
-
   std::vector<ConstraintRow<R>> all_rows(const R* y, const SystemWorkspace<R>& w) const {
     std::vector<ConstraintRow<R>> rows = w.rows;
     rows.resize(n_);
@@ -379,7 +196,7 @@ class CoordinateChart {
 
   std::vector<R> scattered(const std::vector<ConstraintRow<R>>& rows) const {
     std::vector<R> a(n_ * n_, R(0));
-    for_each_entry([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
+    for_each_element(sides_, [&](std::size_t row, bool second, std::size_t k, std::size_t column) {
       a[row * n_ + column] += (second ? rows[row].second : rows[row].first)[k];
     });
     return a;
@@ -431,11 +248,8 @@ class CoordinateChart {
   std::vector<Revolute<R>> pins_;  ///< of the joints: a pin's Φ is the eccentricity
   std::vector<Candidate> candidates_;
   std::vector<std::size_t> chosen_;
-  std::vector<std::pair<std::size_t, std::size_t>> sides_;  ///< bodies of every row of A
-  Part prescribed_, free_;
-  std::vector<unsigned char> is_prescribed_;  ///< of every row of A: 1 or 0
-  std::vector<std::size_t> place_in_part_;  ///< likewise
-  std::vector<Coupling> coupling_;          ///< K
+  std::vector<RowSides> sides_;  ///< of every row of A
+  ChartParts<R> parts_;
 };
 
 }  // namespace lubjoint

@@ -1,0 +1,97 @@
+/// The mass that the free coordinates of a system move.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lubjoint/multibody/envelope_cholesky.hpp"
+#include "lubjoint/ode/integrator.hpp"
+
+namespace lubjoint {
+
+/// VᵀMV and its factors LDLᵀ.
+/// @tparam Freedoms  columns of V, or run_time_size;  @tparam Columns  a group of them at one coordinate; all, and more
+///                   behind them, where Freedoms is given
+template <class R, std::size_t Freedoms, class Columns>
+class ReducedMass {
+ public:
+  explicit ReducedMass(std::size_t freedoms) : f_(freedoms), factors_(freedoms * freedoms) {}
+
+  /// @param n  rows of V;  @param mass  mass(i) of row i, M's diagonal
+  /// @param columns  V: the first group of columns at every row, then the next group. @throws SingularConstraints
+  template <class Mass>
+  void factorise(std::size_t n, const Mass& mass, const Columns* columns) {
+    if constexpr (Freedoms != run_time_size) {
+      std::array<R, Freedoms*(Freedoms + 1) / 2> sums{};  // a triangle, row by row
+      for (std::size_t i = 0; i < n; ++i) {
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < Freedoms; ++k) {
+          const R weighted = mass(i) * columns[i](index(k));
+          for (std::size_t l = 0; l <= k; ++l) sums[at++] += weighted * columns[i](index(l));
+        }
+      }
+      std::size_t at = 0;
+      for (std::size_t k = 0; k < Freedoms; ++k) {
+        for (std::size_t l = 0; l <= k; ++l) factors_[k * Freedoms + l] = sums[at++];
+      }
+    } else {
+      for (std::size_t g = 0; g * group < f_; ++g) {
+        for (std::size_t h = 0; h <= g; ++h) {
+          Eigen::Array<R, group, group> block = Eigen::Array<R, group, group>::Zero();
+          for (std::size_t i = 0; i < n; ++i) {
+            const Columns weighted = mass(i) * columns[g * n + i];
+            for (std::size_t l = 0; l < group; ++l) block.col(index(l)) += weighted * columns[h * n + i](index(l));
+          }
+          for (std::size_t k = g * group; k < std::min<std::size_t>(f_, (g + 1) * group); ++k) {
+            for (std::size_t l = h * group; l < std::min<std::size_t>(k + 1, (h + 1) * group); ++l)
+              factors_[k * f_ + l] = block(index(k - g * group), index(l - h * group));
+          }
+        }
+      }
+    }
+    for (std::size_t k = 0; k < freedoms(); ++k) {
+      R* row = factors_.data() + k * freedoms();
+      const R whole = row[k];
+      for (std::size_t l = 0; l < k; ++l) {
+        const R* earlier = factors_.data() + l * freedoms();
+        for (std::size_t i = 0; i < l; ++i) row[l] -= row[i] * earlier[i];  // L_ki D_i, not yet divided
+      }
+      for (std::size_t l = 0; l < k; ++l) {
+        const R times_d = row[l];
+        row[l] *= factors_[l * freedoms() + l];
+        row[k] -= times_d * row[l];
+      }
+      if (!(row[k] > whole * 64 * std::numeric_limits<R>::epsilon()))
+        throw SingularConstraints("the mass that the free coordinates move is singular here");
+      row[k] = 1 / row[k];  // 1/D in the diagonal
+    }
+  }
+
+  /// Replaces b by the solution of VᵀMV x = b. V: R, or several right-hand sides at once.
+  template <class V>
+  void solve(V* b) const {
+    const std::size_t f = freedoms();
+    for (std::size_t k = 1; k < f; ++k) {
+      for (std::size_t l = 0; l < k; ++l) b[k] -= factors_[k * f + l] * b[l];
+    }
+    for (std::size_t k = f; k-- > 0;) {
+      b[k] *= factors_[k * f + k];
+      for (std::size_t l = k + 1; l < f; ++l) b[k] -= factors_[l * f + k] * b[l];
+    }
+  }
+
+ private:
+  static constexpr std::size_t group = static_cast<std::size_t>(Columns::RowsAtCompileTime);
+
+  std::size_t freedoms() const { return Freedoms == run_time_size ? f_ : Freedoms; }
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  std::size_t f_;
+  std::vector<R> factors_;
+};
+
+}  // namespace lubjoint
