@@ -45,7 +45,6 @@ class LubricatedSpatialSliderCrank {
   struct Pin {
     std::array<R, 3> eccentricity;  ///< e/c, inertial
     std::array<R, 3> force;         ///< of the film on the journal, inertial [N]
-    std::array<R, 2> in_plane;      ///< e/c along x and b
   };
   Pin pin(const State& y) const {
     const PinPlace<R> b = place(y[0]);
@@ -53,7 +52,13 @@ class LubricatedSpatialSliderCrank {
     const auto inertial = [&](const R& along_x, const R& along_b) {
       return std::array<R, 3>{along_x, R(along_b * b.y / b.h), R(along_b * b.z / b.h)};
     };
-    return {inertial(film.e[0], film.e[1]), inertial(film.force[0], film.force[1]), film.e};
+    return {inertial(film.e[0], film.e[1]), inertial(film.force[0], film.force[1])};
+  }
+
+  /// e/c along x and b; of any state.
+  std::array<R, 2> eccentricity(const State& y) const {
+    const Vector2<R> e = eccentricity_at(y, place(y[0]));
+    return {e.x(), e.y()};
   }
 
   /// Kinetic and potential energy [J].
@@ -147,6 +152,13 @@ class LubricatedSpatialSliderCrank {
     std::array<T, 2> e, rate, force;
   };
   template <class T>
+  Vector2<T> eccentricity_at(const ShortState<T, 6>& y, const PinPlace<T>& b) const {
+    using std::cos;
+    using std::sin;
+    const R c = bearing_.clearance();
+    return Vector2<T>(T((y[2] - m_.rod_length * cos(y[1])) / c), T((-b.h - m_.rod_length * sin(y[1])) / c));
+  }
+  template <class T>
   InPlane<T> film_at(const ShortState<T, 6>& y, const PinPlace<T>& b) const {
     using std::cos;
     using std::sin;
@@ -154,7 +166,7 @@ class LubricatedSpatialSliderCrank {
     const R l = m_.rod_length;
     const T cosine = cos(y[1]);
     const T sine = sin(y[1]);
-    const Vector2<T> e(T((y[2] - l * cosine) / c), T((-b.h - l * sine) / c));
+    const Vector2<T> e = eccentricity_at(y, b);
     const Vector2<T> rate(T((y[5] + l * sine * y[4]) / c), T((-b.slope * y[3] - l * cosine * y[4]) / c));
     // n × e = (−e_b, e_x)
     const Vector2<T> u(T(rate.x() + y[4] * e.y() / 2), T(rate.y() - y[4] * e.x() / 2));
