@@ -34,6 +34,7 @@ class Embedding {
  public:
   explicit Embedding(Plane plane) : plane_(std::move(plane)) {}
 
+  /// @throws std::invalid_argument  a scene with what there is only in the plane
   SpatialScene scene(const Scene& flat) const {
     SpatialScene space;
     space.file = flat.file;
@@ -52,7 +53,7 @@ class Embedding {
     }
     for (const SceneLoad& load : flat.loads) {
       SpatialSceneLoad in_space;
-      if (load.unbalance || load.table) throw std::logic_error("unbalances and tables are not for space");
+      if (load.unbalance || load.table) throw std::invalid_argument("unbalances and tables are not for space");
       in_space.body = load.body;
       in_space.force =
           load.turns_with_body ? Vector3<double>(load.force.x(), load.force.y(), 0) : plane_.vector(load.force);
@@ -74,7 +75,9 @@ class Embedding {
           constraint({held_spin_name(body), Driver<double>{ground_body, b, body.angle, body.spin, 0}}));
     }
     for (const SceneSpring& each : flat.springs) {
-      const auto& spring = std::get<TranslationalSpring<double>>(each.spring);
+      const auto* translational = std::get_if<TranslationalSpring<double>>(&each.spring);
+      if (translational == nullptr) throw std::invalid_argument("springs about an axis are not for space");
+      const TranslationalSpring<double>& spring = *translational;
       space.springs.push_back({each.name, point(spring.first), point(spring.second), spring.stiffness, spring.damping,
                                spring.free_length, spring.preload});
     }
