@@ -18,6 +18,7 @@ endif()
 if(NOT LUBJOINT_SUNDIALS)
   list(FILTER headers EXCLUDE REGEX "/half_size_solver\\.hpp$")
 endif()
+list(FILTER headers EXCLUDE REGEX "/simbody_integration\\.hpp$")  # Simbody's own headers are no C++20
 set(sources)
 foreach(header IN LISTS headers)
   string(REGEX REPLACE "^lib/include/" "" included ${header})

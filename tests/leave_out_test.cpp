@@ -117,6 +117,53 @@ TEST_CASE("a free journal on a smooth law holds no multipliers, no contact, no l
   }
 }
 
+TEST_CASE("a program that runs planar scenes holds no code of space") {
+  // Its mechanics are compiled without inlining: what is used has its symbol. Radau's linear systems look at the form
+  // of a Jacobian first, and take that of space only where it is not the plane's.
+  const std::string plane = symbols_of(LUBJOINT_ENTERED_FUNCTIONS);
+  const std::string all = symbols_of(whole_program);
+  CHECK(has(plane, "PlanarSystem<double>::evaluate"));
+  for (const std::string word : {"SpatialSystem", "SpatialOde", "SpatialRun", "SpatialFrame", "spatial_scene",
+                                 "JournalAcross", "simulate_spatial"}) {
+    INFO(word);
+    CHECK(has(all, word));
+    CHECK_FALSE(has(plane, word));
+  }
+}
+
+TEST_CASE(
+    "a planar run makes no instruction of space, in the integrator either, in absolute or independent coordinates") {
+  if (run("/usr/bin/env", {"sh", "-c", "command -v valgrind"}).status != 0) {
+    WARN("skipped: Valgrind is not installed");
+    return;
+  }
+  const TemporaryFolder folder;
+  const auto functions_of_run = [&](const std::string& scene, const std::string& from, const std::string& to) {
+    std::string text = changed(read_text(scenes + scene), from, to);
+    if (const std::size_t at = text.find("\nduration = "); at != std::string::npos)
+      text.replace(at, text.find('\n', at + 1) - at, "\nduration = 0.01");
+    const std::string counts = folder.path() / "counts";
+    const ProgramResult result =
+        run("/usr/bin/env", {"valgrind", "--tool=callgrind", "--callgrind-out-file=" + counts,
+                             LUBJOINT_PROGRAM "-scenes", "simulate", folder.write("scene.toml", text)});
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    return read_text(counts);  // every function that was entered is named there
+  };
+  const Words of_space{"SpatialSystem", "spatial_joint_kinematics", "KinematicSolver", "bodies_of_kinematic_form"};
+  const std::string space = functions_of_run("space/spatial-slider-crank.toml", "dimension = 3", "dimension = 3");
+  const std::string as_it_is = "coordinates = \"auto\"";
+  for (const std::string coordinates : {"auto", "absolute"}) {
+    const std::string plane = functions_of_run("slider-crank.toml", as_it_is, "coordinates = \"" + coordinates + "\"");
+    CHECK(has(plane, "PlanarSystem"));
+    for (const std::string& name : of_space) {
+      INFO(coordinates << ": " << name);
+      CHECK(has(space, name));
+      CHECK_FALSE(has(plane, name));
+    }
+  }
+}
+
 TEST_CASE("a run without contact enters no function of contact or of event location, one with contact all") {
   const std::string without = entered_by(scenes + "slider-crank.toml");
   const std::string with = entered_by(scenes + "impact.toml");

@@ -3,12 +3,13 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/golden_files.hpp"
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/bench/equal_error.hpp"
 #include "oracle/measure/bench/golden_reference.hpp"
+#include "oracle/measure/bench/simbody_case.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lubjoint;
@@ -47,14 +48,34 @@ TEST_CASE("bench: every integrator's error on the journal falls with its toleran
   CHECK(finished >= 4);  // the stiff ones at least, however slow the machine
 }
 
-TEST_CASE("bench: a slider-crank is raced in minimal and in absolute coordinates, and both have the same answer") {
+TEST_CASE("bench: a slider-crank is raced in minimal and absolute coordinates and in space, and all have one answer") {
   const reports::SceneBench bench = reports::bench_scenes({shipped("slider-crank")}, few({1e-6}));
   CHECK(bench.references[0].agreement < 1e-12);  // as data/README.md says of it
-  for (const char* formulation : {"minimal", "absolute"}) {
+  for (const char* formulation : {"minimal", "absolute", "embedded"}) {
     const auto floor = reports::error_floor(bench.rows, {"slider-crank", formulation}, "radau_iia5");
     REQUIRE(floor.has_value());
     CHECK(*floor < 1e-4);  // a hundred times the tolerance
   }
+}
+
+TEST_CASE("bench: a slider-crank in space is raced in minimal and in absolute coordinates, by Simbody where it is") {
+  const std::string file = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/space/spatial-slider-crank.toml";
+  reports::SceneBenchSettings settings = few({1e-6});
+  settings.integrators = {"radau_iia5", "simbody_cpodes"};
+  settings.limits.seconds = 1;
+  const reports::SceneBench bench = reports::bench_scenes({}, settings, {load_spatial_scene(file)});
+  REQUIRE(bench.references.size() == 1);
+  CHECK(bench.references[0].agreement < 1e-12);  // 1.7e-13 was measured
+  for (const char* formulation : {"minimal", "absolute"}) {
+    const auto floor = reports::error_floor(bench.rows, {"spatial-slider-crank", formulation}, "radau_iia5");
+    REQUIRE(floor.has_value());
+    CHECK(*floor < 1e-4);  // a hundred times the tolerance
+  }
+  CHECK(bench.rows.size() == 2 + reports::simbody_methods().size());
+  CHECK_THROWS_WITH(
+      reports::bench_scenes({}, settings,
+                            {load_spatial_scene(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/space/top.toml")}),
+      Catch::Matchers::Contains("allowed is a spatial slider-crank"));
 }
 
 TEST_CASE("bench: a scene of one's own is measured against two integrators in extended precision") {

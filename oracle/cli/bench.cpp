@@ -4,7 +4,7 @@
 #include <iostream>
 #include <vector>
 
-#include "lubjoint/scene/scene_file.hpp"
+#include "lubjoint/scene/spatial_scene_file.hpp"
 #include "oracle/cli/command.hpp"
 #include "oracle/cli/compiled_film.hpp"
 #include "oracle/cli/name_option.hpp"
@@ -27,7 +27,8 @@ namespace {
 struct BenchOptions {
   std::vector<std::string> tables;
   std::vector<std::string> scene_files;
-  std::vector<Scene> scenes;  ///< of these files
+  std::vector<Scene> scenes;           ///< of these files
+  std::vector<SpatialScene> in_space;  ///< those of them with dimension = 3
   std::vector<std::string> integrators;
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> data;    ///< folder with rows measured before
@@ -72,7 +73,12 @@ void bench_finite_length(const BenchOptions& options) {
 
 /// One scene of each kind.
 std::vector<std::string_view> quick_scenes() {
-  return {"journal", "slider-crank", "slider-crank-c0.5-mu0.04", "slider-crank-torque", "impact"};
+  return {"journal",
+          "slider-crank",
+          "slider-crank-c0.5-mu0.04",
+          "slider-crank-torque",
+          "impact",
+          "space/spatial-slider-crank"};
 }
 
 std::vector<std::string_view> shipped_scenes() {
@@ -84,7 +90,8 @@ std::vector<std::string_view> shipped_scenes() {
           "slider-crank-c0.5-mu0.04",
           "slider-crank-ideal",
           "slider-crank-torque",
-          "impact"};
+          "impact",
+          "space/spatial-slider-crank"};
 }
 
 /// The tables of rows that were measured before.
@@ -106,7 +113,7 @@ void bench_scenes(const BenchOptions& options) {
   settings.limits.repeats = options.repeats.value_or(settings.limits.repeats);
   settings.limits.seconds = options.seconds.value_or(settings.limits.seconds);
   if (options.out) settings.resume_file = *options.out / "bench-scenes.part";
-  const auto bench = reports::bench_scenes(options.scenes, settings);
+  const auto bench = reports::bench_scenes(options.scenes, settings, options.in_space);
   std::cout << reports::scene_bench_table(bench.rows, bench.references);
   const std::string csv = reports::scene_bench_csv(bench.rows);
   options.save("bench-scenes.csv", csv);
@@ -181,18 +188,25 @@ bool is_wanted(const BenchTable& table, const BenchOptions& options) {
   return std::ranges::find(options.tables, table.name) != options.tables.end();
 }
 
-int run_bench(BenchOptions options) {
-  for (const std::string& file : options.scene_files) {
-    options.scenes.push_back(load_scene(file));
-    scene_films().provide(options.scenes.back());
+void load(const std::filesystem::path& path, BenchOptions& options) {
+  const SceneFile file(path);
+  if (scene_dimension(file) == 3) {
+    options.in_space.push_back(spatial_scene(file));
+  } else {
+    options.scenes.push_back(file.scene());
   }
+}
+
+int run_bench(BenchOptions options) {
+  for (const std::string& file : options.scene_files) load(file, options);
+  for (Scene& each : options.scenes) scene_films().provide(each);
   require_tables(options);
   require_limits(options);
   require_data_options(options);
   for (const std::string& name : options.integrators) require_name("--integrator", name, reports::raced_methods());
-  if (options.scenes.empty() && !options.data) {
+  if (options.scene_files.empty() && !options.data) {
     for (const std::string_view name : options.quick ? quick_scenes() : shipped_scenes()) {
-      options.scenes.push_back(load_scene(std::filesystem::path(scenes_folder()) / (std::string(name) + ".toml")));
+      load(std::filesystem::path(scenes_folder()) / (std::string(name) + ".toml"), options);
     }
   }
   if (options.out) reports::prepare_folder(*options.out);

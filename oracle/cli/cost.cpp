@@ -3,6 +3,7 @@
 
 #include "oracle/cli/programs.hpp"
 #include "oracle/cli/scene_options.hpp"
+#include "oracle/laws/scene_run.hpp"
 #include "oracle/measure/chain_cost.hpp"
 #include "oracle/measure/scene_cost.hpp"
 
@@ -37,7 +38,9 @@ void add_cost(CLI::App& app, Action& action) {
         const auto rows = reports::chain_cost(options->rounds);
         return show(reports::chain_json(rows), reports::chain_text(rows));
       }
-      const reports::SceneCost cost = reports::scene_cost(options->load(), options->rounds);
+      const reports::SceneToRun scene = reports::scene_to_run(SceneFile(options->file), *options, scene_films());
+      const reports::SceneCost cost =
+          std::visit([&](const auto& each) { return reports::scene_cost(each, options->rounds); }, scene);
       return show(reports::cost_json(cost), reports::cost_text(cost));
     };
   });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "lubjoint/motion/independent_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
@@ -12,13 +11,11 @@
 #include "lubjoint/scene/scene_coordinates.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "lubjoint/scene/start_check.hpp"
-#include "oracle/measure/timing.hpp"
+#include "oracle/measure/cost_measurement.hpp"
 
 namespace lubjoint::reports {
 
 namespace {
-
-constexpr double batch_seconds = 2e-4;
 
 /// A scene's general equations at a state at which no joint is concentric or at rest: there laws have short cuts.
 struct GeneralEquations {
@@ -59,6 +56,10 @@ struct GeneralEquations {
     return repeated([this] { ode.rate(y, rate, 0.0); });
   }
 
+  std::vector<double> mechanical_state() const {
+    return {y.begin(), y.begin() + static_cast<std::ptrdiff_t>(2 * system.coordinates())};
+  }
+
   PlanarSystem<double> system;
   MultibodyOde<double> ode;
   std::vector<double> y;
@@ -75,55 +76,9 @@ struct GeneralEquations {
   }
 };
 
-/// Everything that is timed, and what to do with each time when it is there.
-class Measurement {
- public:
-  template <class Use>
-  void add(TimedPiece piece, Use use) {
-    pieces_.push_back(std::move(piece));
-    uses_.push_back(std::move(use));
-  }
-  GeneralEquations& keep(const Scene& scene) {
-    kept_.push_back(std::make_unique<GeneralEquations>(scene));
-    return *kept_.back();
-  }
-
-  /// The first piece is the whole right-hand side.
-  void run(std::size_t rounds) {
-    const std::vector<Timing> timings = time_in_turn(pieces_, rounds, batch_seconds);
-    for (std::size_t i = 0; i < timings.size(); ++i) {
-      uses_[i](timings[i].nanoseconds(), timings[i].ratio_to(timings.front()));
-    }
-  }
-
- private:
-  std::vector<TimedPiece> pieces_;
-  std::vector<std::function<void(double, double)>> uses_;
-  std::vector<std::unique_ptr<GeneralEquations>> kept_;
-};
-
 // Variants of a scene.
 
 bool is_pin(const SceneConstraint& each) { return std::holds_alternative<Revolute<double>>(each.constraint); }
-
-SceneContact steel() { return {207e9, 0.3, 207e9, 0.3, 0.9, 1e-3, 0.0, 1e-3}; }
-
-Scene with_contact(Scene scene) {
-  for (SceneJoint& joint : scene.joints) {
-    joint.transition = SceneTransition{joint.clearance / 40, joint.clearance / 20};
-    joint.contact = steel();
-  }
-  return scene;
-}
-
-Scene without_contact(Scene scene) {
-  std::erase_if(scene.joints, [](const SceneJoint& joint) { return joint.film == no_film; });
-  for (SceneJoint& joint : scene.joints) {
-    joint.transition.reset();
-    joint.contact.reset();
-  }
-  return scene;
-}
 
 Scene with_lubricated_pins(Scene scene) {
   SceneJoint model;
@@ -160,7 +115,7 @@ void add_phases(const Scene& scene, SceneCost& cost, Measurement& measurement) {
   const double e0 = joint->transition ? joint->transition->e0 : joint->clearance / 40;
   const bool in_scene = cost.contacts > 0;
   const auto add = [&](const std::string& what, double depth, ContactPhase phase) {
-    GeneralEquations& equations = measurement.keep(scene);
+    GeneralEquations& equations = measurement.keep<GeneralEquations>(scene);
     equations.put(static_cast<std::size_t>(joint - scene.joints.begin()), joint->clearance + depth, phase);
     const std::string name = what + " of joint \"" + joint->name + "\"";
     measurement.add(equations.right_hand_side(), [&cost, name, in_scene](double time, double ratio) {
@@ -178,7 +133,7 @@ void add_phases(const Scene& scene, SceneCost& cost, Measurement& measurement) {
 /// Adds the scene with one thing more or less.
 void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement) {
   const auto add = [&](const std::string& feature, bool in_scene, const std::string& change, const Scene& variant) {
-    measurement.add(measurement.keep(variant).right_hand_side(),
+    measurement.add(measurement.keep<GeneralEquations>(variant).right_hand_side(),
                     [&cost, feature, in_scene, change](double time, double ratio) {
                       cost.variants.push_back({feature, in_scene, change, time, ratio});
                     });
@@ -190,16 +145,10 @@ void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement)
   Scene ledger = scene;
   ledger.energy_ledger = !scene.energy_ledger;
   add("energy ledger", scene.energy_ledger, "work of each term integrated along", ledger);
-  const auto has_film = [](const SceneJoint& joint) { return joint.film != no_film; };
   if (std::ranges::any_of(scene.joints, has_film)) {
-    const bool in_scene =
-        std::ranges::any_of(scene.joints, [](const SceneJoint& joint) { return joint.shear.has_value(); });
-    Scene shear = scene;
-    for (SceneJoint& joint : shear.joints) {
-      joint.shear.reset();
-      if (!in_scene && has_film(joint)) joint.shear = ShearExtent::film;
-    }
-    add("shear", in_scene, in_scene ? "no friction torque" : "friction torque of every film", shear);
+    const bool in_scene = has_shear(scene);
+    add("shear", in_scene, in_scene ? "no friction torque" : "friction torque of every film",
+        with_shear_changed(scene));
   }
   if (cost.contacts > 0) {
     add("contact", true, "films alone; dry joints left out", without_contact(scene));
@@ -224,39 +173,11 @@ void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement)
     std::erase_if(steady.loads, [](const SceneLoad& load) { return !load.is_constant(); });
     add("moving loads", true, std::to_string(cost.moving_loads) + " left out", steady);
   }
+  const std::vector<double> y = measurement.keep<GeneralEquations>(scene).mechanical_state();
+  add_space(scene, y, cost, measurement);
   if (scene.constraints.empty()) return;
-  Scene keeping = scene;
-  const bool baumgarte = scene.stabilisation.alpha != 0 || scene.stabilisation.beta != 0;
-  keeping.stabilisation = baumgarte ? SceneStabilisation{true, 0, 0} : SceneStabilisation{false, 5, 5};
-  add("Baumgarte's terms", baumgarte, "constraints kept by the accelerations", keeping);
+  add("Baumgarte's terms", has_baumgarte(scene), "constraints kept by the accelerations", with_upkeep_changed(scene));
 }
-
-void count_scene(const Scene& scene, SceneCost& cost) {
-  cost.scene = scene.name;
-  cost.bodies = scene.bodies.size();
-  cost.constraints = scene.constraints.size();
-  cost.loads = scene.loads.size();
-  cost.weights = scene.gravity.norm() > 0 ? scene.bodies.size() : 0;
-  cost.ledger_terms = scene.energy_ledger ? ledger_works(scene) : 0;
-  cost.springs = scene.springs.size();
-  cost.moving_loads = static_cast<std::size_t>(
-      std::ranges::count_if(scene.loads, [](const auto& load) { return !load.is_constant(); }));
-  for (const SceneJoint& joint : scene.joints) {
-    if (joint.contact) {
-      ++cost.contacts;
-      cost.contact_seams += joint.transition ? 2 : 1;
-    }
-    if (joint.film == no_film) continue;
-    const auto known = std::ranges::find_if(cost.films, [&](const auto& film) { return film.first == joint.film; });
-    if (known == cost.films.end()) {
-      cost.films.emplace_back(joint.film, 1);
-    } else {
-      ++known->second;
-    }
-  }
-}
-
-std::size_t nonzeros(const Eigen::MatrixXd& matrix) { return static_cast<std::size_t>((matrix.array() != 0).count()); }
 
 /// The coordinates that the scene runs in, and what a right-hand side costs in independent ones: between two states a
 /// millionth of a clearance apart, as a late Newton iteration asks for it.
@@ -302,10 +223,10 @@ void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost&
 
 /// Parts, Jacobian and upkeep of the general equations.
 void measure_general(const Scene& scene, SceneCost& cost, Measurement& measurement) {
-  GeneralEquations& equations = measurement.keep(scene);
+  GeneralEquations& equations = measurement.keep<GeneralEquations>(scene);
   PlanarSystem<double>& system = equations.system;
   MultibodyOde<double>& ode = equations.ode;
-  cost.coordinates = system.coordinates();
+  cost.coordinates = cost.velocities = system.coordinates();
   cost.states = ode.dimension();
   cost.constraint_rows = system.constraint_rows();
   cost.schur_stored = ode.at(0.0, equations.y).schur.stored();
@@ -341,7 +262,7 @@ void measure_general(const Scene& scene, SceneCost& cost, Measurement& measureme
                   });
   if (cost.constraint_rows == 0) return;
   add_independent(scene, equations, cost, measurement);
-  GeneralEquations& projected = measurement.keep(scene);
+  GeneralEquations& projected = measurement.keep<GeneralEquations>(scene);
   measurement.add(repeated([&projected] {
                     project_onto_constraints(projected.system, 0.0, projected.y, projected.ode.workspace());
                   }),
@@ -355,7 +276,7 @@ void measure_journal(const Scene& scene, SceneCost& cost, Measurement& measureme
   const JournalScene parts = journal_scene(scene);
   const auto journal = std::make_shared<FreeJournal<Law>>(
       film_of<Law, double>(parts.law, parts.bearing, parts.oil, parts.table.get()), parts.drive);
-  cost.coordinates = 2;
+  cost.coordinates = cost.velocities = 2;
   cost.states = 4;
   cost.film_jumps = FilmOf<Law, double>::jumps ? 1 : 0;
   const double rate = std::max(1.0, std::abs(parts.drive.mean_spin()));
@@ -396,12 +317,7 @@ SceneCost scene_cost(const Scene& scene, std::size_t rounds) {
   }
   add_variants(scene, cost, measurement);
   measurement.run(rounds);
-  CostPart rest{cost.ledger_terms > 0 ? "copies and ledger" : "copies", cost.nanoseconds, 1};
-  for (const CostPart& part : cost.parts) {
-    rest.nanoseconds -= part.nanoseconds;
-    rest.share -= part.share;
-  }
-  cost.parts.push_back(rest);
+  add_rest(cost.ledger_terms > 0 ? "copies and ledger" : "copies", cost);
   return cost;
 }
 

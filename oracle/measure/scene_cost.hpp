@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lubjoint/scene/scene.hpp"
+#include "lubjoint/scene/spatial_scene.hpp"
 
 namespace lubjoint::reports {
 
@@ -36,10 +36,12 @@ struct OtherCost {
 
 struct SceneCost {
   std::string scene;
-  bool free_journal;  ///< its own equations, without multipliers and without a solve
+  bool free_journal = false;  ///< its own equations, without multipliers and without a solve
+  bool in_space = false;
   std::size_t bodies = 0;
   std::size_t coordinates = 0;
-  std::size_t states = 0;  ///< with the ledger's
+  std::size_t velocities = 0;  ///< columns of the constraints' Jacobian
+  std::size_t states = 0;      ///< with the ledger's
   std::size_t constraints = 0;
   std::size_t constraint_rows = 0;  ///< as many multipliers
   std::size_t constraint_nonzeros = 0;
@@ -71,6 +73,7 @@ struct SceneCost {
 /// turn. Ratios are medians of the ratios in a round.
 /// @throws SceneError  the scene can't start
 SceneCost scene_cost(const Scene& scene, std::size_t rounds);
+SceneCost scene_cost(const SpatialScene& scene, std::size_t rounds);  ///< likewise
 
 nlohmann::ordered_json cost_json(const SceneCost& cost);
 std::string cost_text(const SceneCost& cost);

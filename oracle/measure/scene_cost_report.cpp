@@ -56,7 +56,9 @@ Json cost_json(const SceneCost& cost) {
   Json force_terms{{"films", films}, {"contacts", cost.contacts}, {"loads", cost.loads}, {"weights", cost.weights}};
   if (cost.springs > 0) force_terms["springs"] = cost.springs;
   return {{"scene", cost.scene},
-          {"equations", cost.free_journal ? "free journal" : "constrained bodies"},
+          {"equations", cost.free_journal ? "free journal"
+                        : cost.in_space   ? "constrained bodies in space"
+                                          : "constrained bodies"},
           {"message", cost.free_journal ? no_solve : ""},
           {"bodies", cost.bodies},
           {"coordinates", cost.coordinates},
@@ -96,7 +98,7 @@ std::string cost_text(const SceneCost& cost) {
     const std::size_t full = cost.constraint_rows * (cost.constraint_rows + 1) / 2;
     text += fmt::format(
         "constraints    {}: {} rows and multipliers, Jacobian {} non-zeros of {}, Schur envelope {} numbers of {}\n",
-        cost.constraints, cost.constraint_rows, cost.constraint_nonzeros, cost.constraint_rows * cost.coordinates,
+        cost.constraints, cost.constraint_rows, cost.constraint_nonzeros, cost.constraint_rows * cost.velocities,
         cost.schur_stored, full);
   }
   const std::string springs = cost.springs > 0 ? fmt::format(", {} springs", cost.springs) : "";

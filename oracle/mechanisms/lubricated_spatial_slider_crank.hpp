@@ -34,7 +34,7 @@ class LubricatedSpatialSliderCrank {
   /// The ideal mechanism's position and velocity, e = 0.
   State start(const R& angle, const R& speed) const {
     using std::atan2;
-    const PinPlace b = place(angle);
+    const PinPlace<R> b = place(angle);
     const AlongCrank<R> x = m_.slider(angle);
     const R phi = atan2(R(-b.h), x.value);
     // sinφ = −h/l: cosφ φ' = −h'/l
@@ -47,48 +47,55 @@ class LubricatedSpatialSliderCrank {
     std::array<R, 3> force;         ///< of the film on the journal, inertial [N]
   };
   Pin pin(const State& y) const {
-    const PinPlace b = place(y[0]);
-    const InPlane film = film_at(y, b);
+    const PinPlace<R> b = place(y[0]);
+    const InPlane<R> film = film_at(y, b);
     const auto inertial = [&](const R& along_x, const R& along_b) {
       return std::array<R, 3>{along_x, R(along_b * b.y / b.h), R(along_b * b.z / b.h)};
     };
     return {inertial(film.e[0], film.e[1]), inertial(film.force[0], film.force[1])};
   }
 
+  /// e/c along x and b; of any state.
+  std::array<R, 2> eccentricity(const State& y) const {
+    const Vector2<R> e = eccentricity_at(y, place(y[0]));
+    return {e.x(), e.y()};
+  }
+
   /// Kinetic and potential energy [J].
   R energy(const State& y) const {
-    const Lagrangian now = lagrangian(y, place(y[0]));
+    const Lagrangian<R> now = lagrangian(y, place(y[0]));
     return now.a * y[3] * y[3] / 2 + now.c * y[3] * y[4] + now.d * y[4] * y[4] / 2 + m_.slider_mass * y[5] * y[5] / 2 +
            now.potential;
   }
   /// Power of the film on the mechanism, F·(ė − φ̇ n × e) [W].
   R film_power(const State& y) const {
-    const InPlane film = film_at(y, place(y[0]));
+    const InPlane<R> film = film_at(y, place(y[0]));
     const R c = bearing_.clearance();
     return c * (film.force[0] * (film.rate[0] + y[4] * film.e[1]) + film.force[1] * (film.rate[1] - y[4] * film.e[0]));
   }
 
   // What Lobatto asks of a system.
   std::size_t states() const { return 6; }
-  /// @throws FilmDomainError where ε ≥ 1
-  void rate(const R&, const State& y, State& dydt) const {
-    const PinPlace b = place(y[0]);
-    const InPlane film = film_at(y, b);
-    const Lagrangian now = lagrangian(y, b);
-    const R w = y[3];
-    const R f = y[4];
+  /// On any scalar. @throws FilmDomainError where ε ≥ 1
+  template <class T>
+  void rate(const R&, const ShortState<T, 6>& y, ShortState<T, 6>& dydt) const {
+    const PinPlace<T> b = place(y[0]);
+    const InPlane<T> film = film_at(y, b);
+    const Lagrangian<T> now = lagrangian(y, b);
+    const T w = y[3];
+    const T f = y[4];
     // Of the forces F at the journal: on the slider along x, about B on the rod, and through h' on the crank.
-    const R on_crank = -b.slope * film.force[1] - now.potential_theta - now.a_phi * f * w - now.a_theta * w * w / 2 -
+    const T on_crank = -b.slope * film.force[1] - now.potential_theta - now.a_phi * f * w - now.a_theta * w * w / 2 -
                        now.c_phi * f * f;
-    const R on_rod =
+    const T on_rod =
         -b.h * film.force[0] - y[2] * film.force[1] - now.potential_phi - now.c_theta * w * w + now.a_phi * w * w / 2;
-    const R determinant = now.a * now.d - now.c * now.c;
+    const T determinant = now.a * now.d - now.c * now.c;
     dydt = {w,
             f,
             y[5],
-            R((on_crank * now.d - on_rod * now.c) / determinant),
-            R((on_rod * now.a - on_crank * now.c) / determinant),
-            R(film.force[0] / m_.slider_mass)};
+            T((on_crank * now.d - on_rod * now.c) / determinant),
+            T((on_rod * now.a - on_crank * now.c) / determinant),
+            T(film.force[0] / m_.slider_mass)};
   }
   void weights(const State& y, State& w) const {
     // A clearance at the end of the rod, and the speeds that cross it in a radian of the crank.
@@ -109,68 +116,82 @@ class LubricatedSpatialSliderCrank {
     return abs(x);
   }
   /// B, in the plane and about the x axis, with derivatives after θ.
+  template <class T>
   struct PinPlace {
-    R y, z, h, slope, curvature;   ///< B_y, B_z, h, h', h''
-    R z_slope;                     ///< B_z'
-    R turn_slope, turn_curvature;  ///< ρ', ρ''
+    T y, z, h, slope, curvature;   ///< B_y, B_z, h, h', h''
+    T z_slope;                     ///< B_z'
+    T turn_slope, turn_curvature;  ///< ρ', ρ''
   };
-  PinPlace place(const R& theta) const {
+  template <class T>
+  PinPlace<T> place(const T& theta) const {
+    using std::cos;
+    using std::sin;
     using std::sqrt;
-    const auto pin = m_.crank_pin(theta);
-    const R y = pin[1].value;
-    const R z = pin[2].value;
-    const R dy = pin[1].slope;
-    const R dz = pin[2].slope;
-    const R ddy = m_.offset_y - y;  // the crank's arm turns: its second derivative is its opposite
-    const R ddz = m_.offset_z - z;
-    const R h = sqrt(R(y * y + z * z));
-    const R slope = (y * dy + z * dz) / h;
-    const R turn = (y * dz - z * dy) / (h * h);
+    const T ddy = m_.crank_length * sin(theta);  // the crank's arm turns: its second derivative is its opposite
+    const T dy = -m_.crank_length * cos(theta);
+    const T y = m_.offset_y - ddy;
+    const T z = m_.offset_z - dy;
+    const T dz = -ddy;
+    const T ddz = dy;
+    const T h = sqrt(T(y * y + z * z));
+    const T slope = (y * dy + z * dz) / h;
+    const T turn = (y * dz - z * dy) / (h * h);
     return {y,
             z,
             h,
             slope,
-            R((dy * dy + y * ddy + dz * dz + z * ddz - slope * slope) / h),
+            T((dy * dy + y * ddy + dz * dz + z * ddz - slope * slope) / h),
             dz,
             turn,
-            R((y * ddz - z * ddy) / (h * h) - 2 * slope * turn / h)};
+            T((y * ddz - z * ddy) / (h * h) - 2 * slope * turn / h)};
   }
 
   /// In the plane, along x and b, over the clearance but for the force.
+  template <class T>
   struct InPlane {
-    std::array<R, 2> e, rate, force;
+    std::array<T, 2> e, rate, force;
   };
-  InPlane film_at(const State& y, const PinPlace& b) const {
+  template <class T>
+  Vector2<T> eccentricity_at(const ShortState<T, 6>& y, const PinPlace<T>& b) const {
+    using std::cos;
+    using std::sin;
+    const R c = bearing_.clearance();
+    return Vector2<T>(T((y[2] - m_.rod_length * cos(y[1])) / c), T((-b.h - m_.rod_length * sin(y[1])) / c));
+  }
+  template <class T>
+  InPlane<T> film_at(const ShortState<T, 6>& y, const PinPlace<T>& b) const {
     using std::cos;
     using std::sin;
     const R c = bearing_.clearance();
     const R l = m_.rod_length;
-    const R cosine = cos(y[1]);
-    const R sine = sin(y[1]);
-    const Vector2<R> e(R((y[2] - l * cosine) / c), R((-b.h - l * sine) / c));
-    const Vector2<R> rate(R((y[5] + l * sine * y[4]) / c), R((-b.slope * y[3] - l * cosine * y[4]) / c));
+    const T cosine = cos(y[1]);
+    const T sine = sin(y[1]);
+    const Vector2<T> e = eccentricity_at(y, b);
+    const Vector2<T> rate(T((y[5] + l * sine * y[4]) / c), T((-b.slope * y[3] - l * cosine * y[4]) / c));
     // n × e = (−e_b, e_x)
-    const Vector2<R> u(R(rate.x() + y[4] * e.y() / 2), R(rate.y() - y[4] * e.x() / 2));
-    const Vector2<R> ratio = force_ratio<Law>(FilmState<R>(e, u));
-    return {{e.x(), e.y()}, {rate.x(), rate.y()}, {R(scale_ * ratio.x()), R(scale_ * ratio.y())}};
+    const Vector2<T> u(T(rate.x() + y[4] * e.y() / 2), T(rate.y() - y[4] * e.x() / 2));
+    const Vector2<T> ratio = force_ratio<Law>(FilmState<T>(e, u));
+    return {{e.x(), e.y()}, {rate.x(), rate.y()}, {T(scale_ * ratio.x()), T(scale_ * ratio.y())}};
   }
 
+  template <class T>
   struct Lagrangian {
-    R a, a_theta, a_phi, c, c_theta, c_phi, d, potential, potential_theta, potential_phi;
+    T a, a_theta, a_phi, c, c_theta, c_phi, d, potential, potential_theta, potential_phi;
   };
-  Lagrangian lagrangian(const State& state, const PinPlace& b) const {
+  template <class T>
+  Lagrangian<T> lagrangian(const ShortState<T, 6>& state, const PinPlace<T>& b) const {
     using std::cos;
     using std::sin;
     const R m = m_.rod_mass;
     const R half = m_.rod_length / 2;
-    const R c = cos(state[1]);
-    const R s = sin(state[1]);
-    const R r = b.h + half * s;
-    const R turning = m_.rod_inertia_along * c * c + m_.rod_inertia_third * s * s + m_.slider_inertia;
-    const R squared = b.turn_slope * b.turn_slope;
-    const R product = 2 * b.turn_slope * b.turn_curvature;
-    const R rise = b.z / b.h;  // of b along z
-    const R rise_slope = (b.z_slope - rise * b.slope) / b.h;
+    const T c = cos(state[1]);
+    const T s = sin(state[1]);
+    const T r = b.h + half * s;
+    const T turning = m_.rod_inertia_along * c * c + m_.rod_inertia_third * s * s + m_.slider_inertia;
+    const T squared = b.turn_slope * b.turn_slope;
+    const T product = 2 * b.turn_slope * b.turn_curvature;
+    const T rise = b.z / b.h;  // of b along z
+    const T rise_slope = (b.z_slope - rise * b.slope) / b.h;
     const R g = m_.gravity;
     const R crank = m_.crank_mass * m_.crank_centre;
     return {m_.crank_inertia + crank * m_.crank_centre + m * (b.slope * b.slope + r * r * squared) + squared * turning,

@@ -1,25 +1,18 @@
 #include "oracle/mechanisms/simbody_engine.hpp"
 
-#include <Simbody.h>
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <stdexcept>
-
-#include "oracle/mechanisms/processor_time.hpp"
+#include "oracle/mechanisms/simbody_integration.hpp"
 
 namespace lubjoint::mechanisms {
 
 namespace {
 
 /// The joint between the rod's end and the slider's centre.
-class PinForce final : public SimTK::Force::Custom::Implementation {
+class PinForce final : public SimbodyPinForce<SimbodyPin> {
  public:
   PinForce(const SimbodyProblem& problem, const SimTK::MobilizedBody& rod, const SimTK::MobilizedBody& slider)
       : problem_(problem), rod_(rod), slider_(slider), rod_end_(problem.rod_length / 2, 0, 0) {}
 
-  SimbodyPin pin(const SimTK::State& state) const {
+  SimbodyPin pin(const SimTK::State& state) const override {
     const double sign = problem_.bearing_on_rod ? 1 : -1;
     const SimTK::Vec3 e =
         sign * (slider_.getBodyOriginLocation(state) - rod_.findStationLocationInGround(state, rod_end_));
@@ -35,8 +28,7 @@ class PinForce final : public SimTK::Force::Custom::Implementation {
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies, SimTK::Vector_<SimTK::Vec3>&,
                  SimTK::Vector&) const override {
-    if (++calls_ % 256 == 0 && processor_seconds() > deadline_) out_of_time_ = true;
-    if (out_of_time_) throw std::runtime_error("out of time");
+    clock().look();
     const std::array<double, 2> on_journal = problem_.force(pin(state));
     const double sign = problem_.bearing_on_rod ? 1 : -1;
     const SimTK::Vec3 on_slider(sign * on_journal[0], sign * on_journal[1], 0);
@@ -47,22 +39,11 @@ class PinForce final : public SimTK::Force::Custom::Implementation {
     rod_.applyForceToBodyPoint(state, rod_.findStationAtGroundPoint(state, centre), -on_slider, on_bodies);
   }
 
-  SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
-
-  void start_clock(double seconds) {
-    out_of_time_ = false;
-    deadline_ = processor_seconds() + seconds;
-  }
-  bool is_out_of_time() const { return out_of_time_; }
-
  private:
   const SimbodyProblem& problem_;
   const SimTK::MobilizedBody& rod_;
   const SimTK::MobilizedBody& slider_;
   SimTK::Vec3 rod_end_;
-  double deadline_ = 0;  ///< in processor_seconds()
-  mutable std::size_t calls_ = 0;
-  mutable bool out_of_time_ = false;
 };
 
 /// Of a body in the plane only the inertia about z counts: the same about every axis is a possible one.
@@ -71,29 +52,6 @@ SimTK::Body::Rigid body(double mass, double inertia) {
 }
 
 SimTK::Transform at(double x) { return SimTK::Transform(SimTK::Vec3(x, 0, 0)); }
-
-/// Standard error is nowhere as long as this is there: CPodes reports what it then mends, and can't be asked not to.
-class Silence {
- public:
-  Silence() : before_(::dup(STDERR_FILENO)) {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    if (nowhere < 0) return;
-    std::fflush(stderr);
-    ::dup2(nowhere, STDERR_FILENO);
-    ::close(nowhere);
-  }
-  ~Silence() {
-    if (before_ < 0) return;
-    std::fflush(stderr);
-    ::dup2(before_, STDERR_FILENO);
-    ::close(before_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  int before_;
-};
 
 }  // namespace
 
@@ -133,45 +91,9 @@ struct SimbodyEngine::Parts {
 SimbodyEngine::SimbodyEngine(const SimbodyProblem& problem) : parts_(std::make_unique<Parts>(problem)) {}
 SimbodyEngine::~SimbodyEngine() = default;
 
-SimbodyRun SimbodyEngine::run(double accuracy, double duration, const std::vector<double>& times, double seconds) {
-  SimbodyRun result;
-  Parts& parts = *parts_;
-  SimTK::CPodesIntegrator stepper(parts.system, SimTK::CPodes::BDF);
-  stepper.setAccuracy(accuracy);
-  stepper.setFinalTime(duration);
-  std::vector<double> goals = times;
-  if (goals.empty()) goals = {duration};
-  parts.pin->start_clock(seconds);
-  const int before = parts.system.getNumRealizationsOfThisStage(SimTK::Stage::Acceleration);
-  const Silence silence;
-  const double begin = processor_seconds();
-  try {
-    stepper.initialize(parts.start);
-    for (const double goal : goals) {
-      while (stepper.getTime() < goal) stepper.stepTo(goal);
-      if (times.empty()) continue;
-      parts.system.realize(stepper.getState(), SimTK::Stage::Velocity);
-      result.pins.push_back(parts.pin->pin(stepper.getState()));
-    }
-    result.finished = true;
-  } catch (const std::exception&) {  // of Simbody: where in its sources, over several lines
-    result.out_of_time = parts.pin->is_out_of_time();
-    result.message = "Simbody stopped at " + std::to_string(stepper.getTime()) + " s";
-  }
-  result.seconds = processor_seconds() - begin;
-  result.steps = static_cast<std::size_t>(stepper.getNumStepsTaken());
-  result.rejected = static_cast<std::size_t>(stepper.getNumErrorTestFailures());
-  result.evaluations =
-      static_cast<std::size_t>(parts.system.getNumRealizationsOfThisStage(SimTK::Stage::Acceleration) - before);
-  return result;
-}
-
-std::string simbody_version() {
-  int major = 0;
-  int minor = 0;
-  int build = 0;
-  SimTK_version_simbody(&major, &minor, &build);
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
+SimbodyRun<SimbodyPin> SimbodyEngine::run(double accuracy, double duration, const std::vector<double>& times,
+                                          double seconds) {
+  return integrate(parts_->system, parts_->start, *parts_->pin, {accuracy, duration, seconds, times, false});
 }
 
 }  // namespace lubjoint::mechanisms

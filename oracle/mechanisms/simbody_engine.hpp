@@ -3,11 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
+
+#include "oracle/mechanisms/simbody_run.hpp"
 
 namespace lubjoint::mechanisms {
 
@@ -37,18 +37,6 @@ struct SimbodyProblem {
   std::function<std::array<double, 2>(const SimbodyPin&)> force;
 };
 
-/// A run of Simbody's integrator.
-struct SimbodyRun {
-  bool finished = false;
-  bool out_of_time = false;      ///< it was given up
-  std::string message;           ///< why it stopped otherwise
-  std::vector<SimbodyPin> pins;  ///< at the times that were asked for
-  double seconds = 0;            ///< of processor time, the integration alone
-  std::size_t steps = 0;
-  std::size_t rejected = 0;     ///< steps that failed the error test
-  std::size_t evaluations = 0;  ///< of all accelerations
-};
-
 /// Crank (Pin on the ground), rod (Pin on the crank) and slider (Slider on the ground), the joint between the last two
 /// a custom force: three coordinates, the first of them prescribed.
 class SimbodyEngine {
@@ -64,14 +52,11 @@ class SimbodyEngine {
   /// @param duration  [s]
   /// @param times     to be looked at, ascending; none: only the end is reached, for its run time
   /// @param seconds   of processor time after which the run is given up
-  SimbodyRun run(double accuracy, double duration, const std::vector<double>& times, double seconds);
+  SimbodyRun<SimbodyPin> run(double accuracy, double duration, const std::vector<double>& times, double seconds);
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-/// "3.7.0"
-std::string simbody_version();
 
 }  // namespace lubjoint::mechanisms

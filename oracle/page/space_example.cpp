@@ -5,37 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include "lubjoint/film/pinkus_sternlicht.hpp"
-#include "oracle/mechanisms/lubricated_spatial_slider_crank.hpp"
 
 namespace lubjoint::reports::page {
 
 namespace {
-
-template <class Joint>
-const Joint& constraint_of(const SpatialScene& scene, const std::string& name) {
-  for (const SpatialSceneConstraint& each : scene.constraints) {
-    const Joint* joint = std::get_if<Joint>(&each.constraint);
-    if (each.name == name && joint != nullptr) return *joint;
-  }
-  throw std::invalid_argument(scene.file + " has no such constraint \"" + name +
-                              "\"; allowed is a spatial slider-crank");
-}
-
-/// What the mechanism is made of, as its scene names it.
-struct Parts {
-  explicit Parts(const SpatialScene& scene)
-      : main_bearing(constraint_of<RevoluteJoint<double>>(scene, "main-bearing")),
-        crank_pin(constraint_of<SphericalJoint<double>>(scene, "crank-pin")) {
-    if (scene.joints.size() != 1 || scene.joints[0].plane.film != PinkusSternlicht::name) {
-      throw std::invalid_argument(scene.file + " must have one joint, with the film pinkus_sternlicht");
-    }
-  }
-  const RevoluteJoint<double>& main_bearing;
-  const SphericalJoint<double>& crank_pin;
-};
 
 /// Largest difference at the output times after the start, infinite if they do not belong together or one is not a
 /// number.
@@ -55,43 +28,11 @@ double largest_difference(const SpatialTrajectory& run, const std::vector<SpaceP
 
 }  // namespace
 
-mechanisms::SpatialSliderCrank<double> spatial_slider_crank_of(const SpatialScene& scene) {
-  const Parts parts(scene);
-  const SpatialSceneJoint& pin = scene.joints[0];
-  const SpatialSceneBody& crank = scene.bodies.at(parts.crank_pin.first.body);
-  const SpatialSceneBody& rod = scene.bodies.at(pin.bearing.body);
-  const SpatialSceneBody& slider = scene.bodies.at(pin.journal.body);
-  mechanisms::SpatialSliderCrank<double> m;
-  m.crank_length = (parts.crank_pin.first.point - parts.main_bearing.second.point).norm();
-  m.crank_mass = crank.mass;
-  m.crank_inertia = crank.inertia(0, 0);
-  m.crank_centre = parts.main_bearing.second.point.norm();
-  m.rod_length = (pin.bearing.point - parts.crank_pin.second.point).norm();
-  m.rod_mass = rod.mass;
-  m.rod_inertia_along = rod.inertia(0, 0);
-  m.rod_inertia_cross = rod.inertia(2, 2);
-  m.rod_inertia_third = rod.inertia(1, 1);
-  m.slider_mass = slider.mass;
-  m.slider_inertia = slider.inertia(0, 0);
-  m.offset_y = parts.main_bearing.first.point.y();
-  m.offset_z = parts.main_bearing.first.point.z();
-  m.gravity = -scene.gravity.z();
-  return m;
-}
-
-double crank_speed_of(const SpatialScene& scene) { return scene.bodies.at(Parts(scene).crank_pin.first.body).spin.x(); }
-
 std::vector<SpacePin> space_reference(const SpatialScene& scene, const std::vector<double>& times) {
-  using Mechanism = mechanisms::LubricatedSpatialSliderCrank<PinkusSternlicht, double>;
   constexpr double tolerance =
       1e-8;  // of a method of order 14: errors of 1e-11 c and 2e-7 of the largest force were measured
-  const SpatialBodyPoint<double>& pin = Parts(scene).crank_pin.first;
-  const SceneJoint& joint = scene.joints[0].plane;
-  const mechanisms::SpatialSliderCrank<double> crank = spatial_slider_crank_of(scene);
-  const Mechanism mechanism(crank, Bearing<double>(joint.length, joint.journal_radius, joint.clearance),
-                            Lubricant<double>(joint.viscosity));
-  const Vector3<double> start = point_motion(frame_at_start(scene, pin.body), pin.point).position;
-  auto y = mechanism.start(std::atan2(crank.offset_y - start.y(), start.z() - crank.offset_z), crank_speed_of(scene));
+  const auto mechanism = lubricated_spatial_slider_crank<PinkusSternlicht, double>(scene);
+  auto y = mechanism.start(crank_angle_of(scene), crank_speed_of(scene));
   mechanisms::Lobatto<double, 6> steps(tolerance);
   std::vector<SpacePin> pins;
   double before = 0;

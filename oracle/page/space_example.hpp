@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lubjoint/scene/spatial_simulate.hpp"
-#include "oracle/mechanisms/spatial_slider_crank.hpp"
 #include "oracle/results/check.hpp"
+#include "oracle/trajectories/spatial_slider_crank_scene.hpp"
 
 namespace lubjoint::reports::page {
 
@@ -23,12 +23,8 @@ struct SpaceExample {
   Verdict verdict;
 };
 
-/// Lengths, masses and inertias of the mechanism, from its scene.
-/// @throws std::invalid_argument  a scene without its constraints main-bearing and crank-pin, or its one joint
-mechanisms::SpatialSliderCrank<double> spatial_slider_crank_of(const SpatialScene& scene);
-
-/// Speed of the crank at the start [rad/s].
-double crank_speed_of(const SpatialScene& scene);
+using reports::crank_speed_of;
+using reports::spatial_slider_crank_of;
 
 /// The mechanism in minimal coordinates at times after the start, with Pinkus and Sternlicht's film, by Lobatto IIIC of
 /// order 14. @throws std::invalid_argument as spatial_slider_crank_of

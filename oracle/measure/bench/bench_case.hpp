@@ -57,7 +57,8 @@ struct PlainProblem {
 class BenchCase {
  public:
   virtual ~BenchCase() = default;
-  virtual std::string formulation() const = 0;  ///< journal, minimal, absolute, independent or joint
+  /// journal, minimal, absolute, independent, embedded (a planar mechanism as one in space) or joint
+  virtual std::string formulation() const = 0;
   /// Those of raced_methods() that this case can be given.
   virtual std::vector<std::string> methods() const = 0;
   virtual MethodRun run(const std::string& method, double tolerance, const BenchLimits& limits) = 0;
@@ -71,7 +72,7 @@ MethodRun measured_run(const BenchLimits& limits, const Reference& reference,
                        const std::function<MethodRun(Reference* seen)>& once);
 
 /// Times at which errors are looked at where there is no golden trajectory.
-std::vector<double> bench_times(const Scene& scene);
+std::vector<double> bench_times(double duration);
 
 struct BenchScene {
   std::string name;

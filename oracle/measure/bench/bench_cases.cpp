@@ -12,6 +12,7 @@
 #include "oracle/measure/bench/golden_reference.hpp"
 #include "oracle/measure/bench/race.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
+#include "oracle/measure/bench/spatial_cases.hpp"
 #include "oracle/trajectories/extended_run.hpp"
 #include "oracle/trajectories/slider_crank_reference.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
@@ -274,10 +275,10 @@ std::unique_ptr<BenchCase> journal_case(const Scene& scene, const std::vector<do
 
 }  // namespace
 
-std::vector<double> bench_times(const Scene& scene) {
+std::vector<double> bench_times(double duration) {
   std::vector<double> times;
   constexpr int count = 100;
-  for (int i = 1; i <= count; ++i) times.push_back(scene.run.duration * i / count);
+  for (int i = 1; i <= count; ++i) times.push_back(duration * i / count);
   return times;
 }
 
@@ -292,7 +293,7 @@ struct MadeReference {
 
 /// Of a scene that does not ship: two integrators of different families.
 MadeReference extended_reference(const Scene& scene) {
-  const std::vector<double> times = bench_times(scene);
+  const std::vector<double> times = bench_times(scene.run.duration);
   if (is_free_journal(scene)) {
     const Reference one = extended_journal_run(scene, times, ExtendedMethod::radau);
     const Reference other = extended_journal_run(scene, times, ExtendedMethod::fehlberg);
@@ -352,6 +353,7 @@ BenchScene bench_scene(const Scene& scene) {
                                                                      reference.times, reference.seen));
   }
   if (has_minimal_coordinates(scene)) {
+    result.cases.push_back(embedded_case(scene, reference.times, reference.seen));
     if (auto simbody = simbody_case(scene, reference.times, reference.seen)) result.cases.push_back(std::move(simbody));
   }
   return result;

@@ -12,7 +12,7 @@ namespace lubjoint::reports {
 /// One line of the campaign.
 struct BenchRow {
   std::string scene;
-  std::string formulation;  ///< journal, absolute, minimal or joint coordinates
+  std::string formulation;  ///< as BenchCase has it
   std::string integrator;
   double tolerance = 0;
   MethodRun run;

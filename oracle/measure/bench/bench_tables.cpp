@@ -48,10 +48,79 @@ void add_race(const std::vector<BenchRow>& rows, const Race& race, std::string& 
                         milliseconds(at(1e-5)), milliseconds(at(1e-7)), milliseconds(at(1e-9)),
                         floor ? fmt::format("{:.1e}", *floor) : "-", against(1e-5), against(1e-9));
   }
+  if (race.formulation == embedded_coordinates) return;
   for (const double error : judged_errors) {
     const RaceVerdict verdict = judge_race(rows, race, error);
     text += fmt::format("    use for {:.0e}: {}\n", error, recommendation(verdict));
   }
+}
+
+/// Has a mechanism been turned out of its plane?
+bool is_embedded(const std::vector<BenchRow>& rows, const std::string& scene) {
+  return std::ranges::any_of(
+      rows, [&](const BenchRow& row) { return row.scene == scene && row.formulation == embedded_coordinates; });
+}
+
+/// What coordinates and space cost the default integrator: how many times as long it takes at each of judged_errors in
+/// absolute coordinates as in minimal ones, and in space as in the plane; a dash where one of them is not there.
+struct FormulationCost {
+  std::string scene;
+  std::vector<std::string> ratios;
+};
+
+std::vector<FormulationCost> formulation_costs(const std::vector<BenchRow>& rows) {
+  std::vector<FormulationCost> costs;
+  for (const BenchRow& row : rows) {
+    if (row.formulation != "minimal" || std::ranges::find(costs, row.scene, &FormulationCost::scene) != costs.end())
+      continue;
+    FormulationCost& cost = costs.emplace_back(FormulationCost{row.scene, {}});
+    for (const auto& [one, other] : {std::pair("absolute", "minimal"), {"embedded", "absolute"}}) {
+      for (const double error : judged_errors) {
+        const auto ratio = time_ratio(rows, {row.scene, one}, {row.scene, other}, std::string(own_default), error);
+        cost.ratios.push_back(ratio ? brief(*ratio) : "–");
+      }
+    }
+  }
+  return costs;
+}
+
+std::string formulations_table(const std::vector<BenchRow>& rows) {
+  const auto costs = formulation_costs(rows);
+  if (costs.empty()) return {};
+  std::string text = fmt::format(
+      "\nHow many times as long radau_iia5 takes at equal error\n"
+      "  {:<28}{:>10}{:>10}{:>10}{:>10}\n  {:<28}{:>20}{:>20}\n",
+      "", "1e-5", "1e-9", "1e-5", "1e-9", "", "absolute/minimal", "space/plane");
+  for (const FormulationCost& cost : costs) {
+    text += fmt::format("  {:<28}", cost.scene);
+    for (const std::string& ratio : cost.ratios) text += fmt::format("{:>10}", ratio);
+    text += "\n";
+  }
+  return text;
+}
+
+/// Nothing where no mechanism was turned out of its plane.
+std::string formulations_markdown(const std::vector<BenchRow>& rows) {
+  const auto costs = formulation_costs(rows);
+  if (std::ranges::none_of(costs, [&](const FormulationCost& cost) { return is_embedded(rows, cost.scene); }))
+    return {};
+  std::string text =
+      "\nHow many times as long `radau_iia5` takes at equal error in absolute coordinates as in minimal ones, and in\n"
+      "space, the plane turned anywhere, as in the plane, both in absolute coordinates:\n\n| scene |";
+  std::string rule = "|---|";
+  for (const char* what : {"absolute over minimal", "space over plane"}) {
+    for (const double error : judged_errors) {
+      text += fmt::format(" {}, {:.0e} |", what, error);
+      rule += "---|";
+    }
+  }
+  text += "\n" + rule + "\n";
+  for (const FormulationCost& cost : costs) {
+    text += "| " + cost.scene + " |";
+    for (const std::string& ratio : cost.ratios) text += " " + ratio + " |";
+    text += "\n";
+  }
+  return text;
 }
 
 std::string winners_words(const RaceVerdict& verdict) {
@@ -95,7 +164,8 @@ std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vect
       "mechanism's size "
       "and\nof an angle. Radau x: how many times as long as radau_iia5. -: does not get there, or was not run.\n";
   std::string scene;
-  for (const Race& race : races(rows)) {
+  const std::vector<Race> all = races(rows);
+  for (const Race& race : all) {
     if (race.scene != scene) {
       scene = race.scene;
       text += "\n" + scene;
@@ -104,7 +174,10 @@ std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vect
       text += "\n";
     }
     add_race(rows, race, text);
+    const bool last = &race == &all.back() || (&race + 1)->scene != race.scene;
+    if (last && is_embedded(rows, scene)) add_race(rows, {scene, std::string(embedded_coordinates)}, text);
   }
+  text += formulations_table(rows);
   const auto ran = [&](Camp camp) {
     return std::ranges::any_of(rows, [&](const BenchRow& row) { return camp_of(row.integrator) == camp; });
   };
@@ -144,7 +217,7 @@ std::string scene_bench_markdown(const std::vector<BenchRow>& rows) {
                              verdict.error, recommendation(verdict));
   }
   if (!elsewhere.empty()) text += "Where none of lubjoint's own is the fastest:\n\n" + elsewhere;
-  return text;
+  return text + formulations_markdown(rows);
 }
 
 std::string with_bench_block(std::string_view text, const std::string& block) {

@@ -16,7 +16,8 @@ std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vect
 
 /// The table of the README: for each race and each of judged_errors Radau's time, how many times as long the fastest of
 /// CVODE and IDA and Simbody took, and the winner; then how often each integrator wins. A dash where one was not run or
-/// does not reach the error.
+/// does not reach the error. Where mechanisms were turned out of their planes, a second table: Radau's times in
+/// absolute over those in minimal coordinates, and in space over those in the plane.
 std::string scene_bench_markdown(const std::vector<BenchRow>& rows);
 
 inline constexpr std::string_view bench_block_begin = "<!-- bench scenes -->\n";

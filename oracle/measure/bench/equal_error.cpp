@@ -26,6 +26,7 @@ Camp camp_of(std::string_view integrator) {
 std::vector<Race> races(const std::vector<BenchRow>& rows) {
   std::vector<Race> found;
   for (const BenchRow& row : rows) {
+    if (row.formulation == embedded_coordinates) continue;
     const Race race{row.scene, row.formulation == "joint" ? "absolute" : row.formulation};
     if (std::ranges::find(found, race) == found.end()) found.push_back(race);
   }
@@ -81,6 +82,14 @@ std::optional<double> error_floor(const std::vector<BenchRow>& rows, const Race&
     least = least ? std::min(*least, row->run.error) : row->run.error;
   }
   return least;
+}
+
+std::optional<double> time_ratio(const std::vector<BenchRow>& rows, const Race& race, const Race& other,
+                                 const std::string& integrator, double error) {
+  const auto time = time_at_error(rows, race, integrator, error);
+  const auto other_time = time_at_error(rows, other, integrator, error);
+  if (!time || !other_time) return std::nullopt;
+  return time->seconds / other_time->seconds;
 }
 
 std::vector<Contender> RaceVerdict::winners() const {

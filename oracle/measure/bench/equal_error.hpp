@@ -24,9 +24,12 @@ struct Race {
   bool operator==(const Race&) const = default;
 };
 
-/// The races in the order of the rows. Simbody's runs, in joint coordinates, are in the races of the scene in absolute
-/// and in independent coordinates, in whose place a user would run it. In independent coordinates, which others don't
-/// have, CVODE and IDA race in absolute ones.
+/// The coordinates of a mechanism of the plane that is turned out of it: its one integrator races against nobody.
+inline constexpr std::string_view embedded_coordinates = "embedded";
+
+/// The races in the order of the rows, without embedded coordinates. Simbody's runs, in joint coordinates, are in the
+/// races of the scene in absolute and in independent coordinates, in whose place a user would run it. In independent
+/// coordinates, which others don't have, CVODE and IDA race in absolute ones.
 std::vector<Race> races(const std::vector<BenchRow>& rows);
 
 /// Names of those that ran in a race, in the order of the rows.
@@ -49,6 +52,11 @@ std::optional<Contender> time_at_error(const std::vector<BenchRow>& rows, const 
 
 /// Least error that any tolerance reached.
 std::optional<double> error_floor(const std::vector<BenchRow>& rows, const Race& race, const std::string& integrator);
+
+/// How many times as long an integrator takes in one race as in another, at the same error; nothing unless it reaches
+/// that in both.
+std::optional<double> time_ratio(const std::vector<BenchRow>& rows, const Race& race, const Race& other,
+                                 const std::string& integrator, double error);
 
 /// What the rows say of one race at one error.
 struct RaceVerdict {

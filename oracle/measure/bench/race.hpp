@@ -26,9 +26,18 @@ class RaceProblem : public OdeSystem<double, N> {
   virtual void look(double t, const State& y, Reference& seen) = 0;  ///< adds what errors are measured in
   virtual std::size_t positions() const = 0;                         ///< of the states, the first ones
   virtual std::size_t evaluations() const = 0;
+  /// The state inside a step.
+  virtual void state_at(const StepInterpolant<State>& step, double t, State& inside) {
+    step.state_at(t, positions(), inside);
+  }
+  /// Puts the end of a step where it belongs; true if that has changed it.
+  virtual bool hold(State&) { return false; }
+  /// Names of the library's integrators that are raced on it.
+  virtual std::vector<std::string> own_methods() const { return {method_names().begin(), method_names().end()}; }
   /// The integrator of that name for this problem.
   virtual std::unique_ptr<Integrator<double, N>> integrator(const std::string& method, double relative) {
-    return make_integrator<N>(method, tolerance(relative));
+    if constexpr (N == 4 || N == run_time_size) return make_integrator<N>(method, tolerance(relative));
+    throw std::logic_error("the library has no integrator by name for so many states");
   }
   virtual bool is_for_others() const { return true; }  ///< can another's solver be given it?
 };
@@ -51,7 +60,7 @@ class RaceCase final : public BenchCase {
   std::string formulation() const override { return formulation_; }
 
   std::vector<std::string> methods() const override {
-    std::vector<std::string> names(method_names().begin(), method_names().end());
+    std::vector<std::string> names = problem_->own_methods();
     if (problem_->is_for_others()) {
       for (const std::string_view name : sundials_methods()) names.emplace_back(name);
     }
@@ -152,6 +161,7 @@ class RaceCase final : public BenchCase {
         }
       } else {
         ++result.steps;
+        if (problem_->hold(y)) integrator->replace_state(y);
         if (seen) look(*integrator, step, t_old, t, y_old, y, inside, next, *seen);
       }
       if ((result.steps + result.rejected) % 256 == 0 && elapsed() > limits.seconds) {
@@ -178,7 +188,7 @@ class RaceCase final : public BenchCase {
     step.smooth_rates = integrator.has_smooth_rates();
     integrator.see_inside(step);
     for (; next < times_.size() && times_[next] <= t + 1e-13 * duration_; ++next) {
-      step.state_at(times_[next], problem_->positions(), inside);
+      problem_->state_at(step, times_[next], inside);
       problem_->look(times_[next], inside, seen);
     }
   }

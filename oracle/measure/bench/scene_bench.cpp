@@ -13,6 +13,7 @@
 #include "oracle/files/progress.hpp"
 #include "oracle/measure/bench/equal_error.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
+#include "oracle/measure/bench/spatial_cases.hpp"
 #include "oracle/measure/bench/sundials_method.hpp"
 #include "oracle/plot/gnuplot.hpp"
 
@@ -20,19 +21,19 @@ namespace lubjoint::reports {
 
 namespace {
 
-std::string campaign_key(const SceneBenchSettings& settings, const std::vector<Scene>& scenes) {
+std::string campaign_key(const SceneBenchSettings& settings, const std::vector<std::string>& files) {
   std::string key = fmt::format("repeats {} seconds {} tolerances", settings.limits.repeats, settings.limits.seconds);
   for (const double tolerance : settings.tolerances) key += " " + number(tolerance);
   for (const std::string& name : settings.integrators) key += " " + name;
-  for (const Scene& scene : scenes) key += " " + scene.file + " " + sha256(read_input(scene.file));
+  for (const std::string& file : files) key += " " + file + " " + sha256(read_input(file));
   return key;
 }
 
 /// Rows of an interrupted campaign.
 class Ledger {
  public:
-  Ledger(const SceneBenchSettings& settings, const std::vector<Scene>& scenes)
-      : kept_(settings.resume_file, campaign_key(settings, scenes), bench_header) {
+  Ledger(const SceneBenchSettings& settings, const std::vector<std::string>& files)
+      : kept_(settings.resume_file, campaign_key(settings, files), bench_header) {
     if (kept_.earlier()) rows_ = read_bench_rows(*kept_.earlier());
   }
 
@@ -84,6 +85,26 @@ class Campaign {
   std::map<std::string, int> failures_;
 };
 
+/// All runs of one case, each as a row.
+void race_case(const std::string& scene, BenchCase& scene_case, const SceneBenchSettings& settings, Ledger& ledger,
+               std::vector<BenchRow>& rows) {
+  Campaign campaign(scene_case, settings.limits);
+  for (const double tolerance : settings.tolerances) {
+    for (const std::string& method : scene_case.methods()) {
+      if (!is_wanted(method, settings.integrators)) continue;
+      BenchRow row{scene, scene_case.formulation(), method, tolerance, {}};
+      if (const BenchRow* known = ledger.find(row)) {
+        row = *known;
+      } else {
+        row.run = campaign.run(method, tolerance);
+        ledger.add(row);
+      }
+      campaign.note(row);
+      rows.push_back(row);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> raced_methods() {
@@ -105,32 +126,21 @@ SceneBenchSettings scene_bench_settings(bool quick) {
   return settings;
 }
 
-SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings) {
+SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings,
+                        const std::vector<SpatialScene>& in_space) {
+  std::vector<std::string> files;
+  for (const Scene& scene : scenes) files.push_back(scene.file);
+  for (const SpatialScene& scene : in_space) files.push_back(scene.file);
   SceneBench bench;
-  Ledger ledger(settings, scenes);
-  ProgressBar progress("bench", scenes.size());
-  for (const Scene& scene : scenes) {
-    const BenchScene made = bench_scene(scene);
+  Ledger ledger(settings, files);
+  ProgressBar progress("bench", files.size());
+  const auto race = [&](const BenchScene& made) {
     bench.references.push_back({made.name, made.golden, made.reference_agreement});
-    for (const auto& each : made.cases) {
-      Campaign campaign(*each, settings.limits);
-      for (const double tolerance : settings.tolerances) {
-        for (const std::string& method : each->methods()) {
-          if (!is_wanted(method, settings.integrators)) continue;
-          BenchRow row{made.name, each->formulation(), method, tolerance, {}};
-          if (const BenchRow* known = ledger.find(row)) {
-            row = *known;
-          } else {
-            row.run = campaign.run(method, tolerance);
-            ledger.add(row);
-          }
-          campaign.note(row);
-          bench.rows.push_back(row);
-        }
-      }
-    }
+    for (const auto& each : made.cases) race_case(made.name, *each, settings, ledger, bench.rows);
     progress.advance();
-  }
+  };
+  for (const Scene& scene : scenes) race(bench_scene(scene));
+  for (const SpatialScene& scene : in_space) race(bench_scene(scene));
   return bench;
 }
 

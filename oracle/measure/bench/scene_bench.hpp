@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lubjoint/scene/spatial_scene.hpp"
 #include "oracle/measure/bench/bench_rows.hpp"
 
 namespace lubjoint::reports {
@@ -35,8 +36,10 @@ struct SceneBenchSettings {
 SceneBenchSettings scene_bench_settings(bool quick);
 
 /// Whatever runs out of time at two tolerances in a row is not run at the tighter ones, and says so.
+/// @param in_space  spatial slider-cranks; they come last
 /// @throws SceneError, std::invalid_argument, OutputError
-SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings);
+SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings,
+                        const std::vector<SpatialScene>& in_space = {});
 
 std::string scene_bench_csv(const std::vector<BenchRow>& rows);
 

@@ -30,21 +30,13 @@ class SimbodyCase final : public BenchCase {
 
   MethodRun run(const std::string&, double tolerance, const BenchLimits& limits) override {
     return measured_run(limits, reference_, [&](Reference* seen) {
-      const mechanisms::SimbodyRun run =
-          engine_.run(tolerance, duration_, seen ? times_ : std::vector<double>(), limits.seconds);
-      MethodRun result;
-      result.finished = run.finished;
-      result.message = run.out_of_time ? std::string(out_of_time) : run.message;
-      result.seconds = run.seconds;
-      result.steps = run.steps;
-      result.rejected = run.rejected;
-      result.rhs_evaluations = run.evaluations;
+      const auto run = engine_.run(tolerance, duration_, seen ? times_ : std::vector<double>(), limits.seconds);
       if (seen) {
         for (const mechanisms::SimbodyPin& pin : run.pins) {
           seen->emplace_back(pin.eccentricity[0] / clearance_, pin.eccentricity[1] / clearance_);
         }
       }
-      return result;
+      return method_run(run);
     });
   }
 
@@ -57,6 +49,17 @@ class SimbodyCase final : public BenchCase {
 };
 
 }  // namespace
+
+MethodRun method_run(const mechanisms::SimbodyOutcome& run) {
+  MethodRun result;
+  result.finished = run.finished;
+  result.message = run.out_of_time ? std::string(out_of_time) : run.message;
+  result.seconds = run.seconds;
+  result.steps = run.steps;
+  result.rejected = run.rejected;
+  result.rhs_evaluations = run.evaluations;
+  return result;
+}
 
 std::vector<std::string_view> simbody_methods() { return {"simbody_cpodes"}; }
 std::string simbody_version() { return mechanisms::simbody_version(); }

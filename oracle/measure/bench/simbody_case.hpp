@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/measure/bench/bench_case.hpp"
+#include "oracle/mechanisms/simbody_run.hpp"
 
 namespace lubjoint::reports {
 
@@ -18,6 +19,9 @@ std::vector<std::string_view> simbody_methods();
 /// @returns nothing if Simbody was not built in
 std::unique_ptr<BenchCase> simbody_case(const Scene& scene, const std::vector<double>& times,
                                         const Reference& reference);
+
+/// A run of Simbody as a row of the race; where it was built in.
+MethodRun method_run(const mechanisms::SimbodyOutcome& run);
 
 /// "3.7.0"; empty if Simbody was not built in.
 std::string simbody_version();
