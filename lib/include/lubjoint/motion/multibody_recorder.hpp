@@ -75,22 +75,13 @@ class MultibodyRecorder {
   void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
     const std::size_t n = ode_.system().coordinates();
     outputs_.up_to(static_cast<double>(step->t_new), [&](double t) {
-      // The quintic's error in an explicit step of higher order may be a thousand tolerances, and so may that of a step
-      // to an event.
-      if (R(t) == step->t_new) {
-        state_ = step->y_new;
-      } else if (step->sampled_by_steps) {
-        by_method(*step, R(t), state_);
-      } else {
-        step->state_at(R(t), n, state_);
-      }
+      step->sample_at(
+          R(t), by_method, [n](const MultibodyStep<R>& in, const R& at, std::vector<R>& y) { in.state_at(at, n, y); },
+          state_);
       add_sample(R(t), state_, step->memory);
     });
-    // A step begins where the last one has ended, unless its joints are in other pieces.
-    const bool goes_on = step->memory.empty() && step->t_old == seen_to_;
-    seen_to_ = step->t_new;
     looks_.step(
-        step->t_old, step->t_new, goes_on,
+        step->t_old, step->t_new, step->begins_anew(),
         [&](const R& t, const auto& put) {
           if (t == step->t_new) {
             state_ = step->y_new;
@@ -256,7 +247,6 @@ class MultibodyRecorder {
   std::vector<MultibodySample> samples_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};  ///< of exact_: its time, and where its step begins
-  R seen_to_{-1};                   ///< end of the last step
   std::vector<double> measured_, exactly_measured_;
   std::vector<JointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;

@@ -50,20 +50,13 @@ class SpatialRecorder {
   template <class ByMethod>
   void step(const std::shared_ptr<const MultibodyStep<R>>& step, const ByMethod& by_method) {
     outputs_.up_to(static_cast<double>(step->t_new), [&](double t) {
-      if (R(t) == step->t_new) {
-        state_ = step->y_new;
-      } else if (step->sampled_by_steps) {
-        by_method(*step, R(t), state_);
-      } else {
-        inside(*step, R(t), state_);
-      }
+      step->sample_at(
+          R(t), by_method, [this](const MultibodyStep<R>& in, const R& at, std::vector<R>& y) { inside(in, at, y); },
+          state_);
       add_sample(R(t), state_, step->memory);
     });
-    // A step begins where the last one has ended, unless its joints are in other pieces.
-    const bool goes_on = step->memory.empty() && step->t_old == seen_to_;
-    seen_to_ = step->t_new;
     looks_.step(
-        step->t_old, step->t_new, goes_on,
+        step->t_old, step->t_new, step->begins_anew(),
         [&](const R& t, const auto& put) {
           if (t == step->t_new) {
             state_ = step->y_new;
@@ -273,7 +266,6 @@ class SpatialRecorder {
   EnergyBalance<R> balance_;
   std::vector<R> state_, exact_;
   R exact_t_{-1}, exact_from_{-1};
-  R seen_to_{-1};  ///< end of the last step
 };
 
 }  // namespace lubjoint

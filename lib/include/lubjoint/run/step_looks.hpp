@@ -23,12 +23,12 @@ class StepLooks {
   const LargestValue<R>& largest(std::size_t quantity) const { return largest_[quantity]; }
 
   /// A step.
-  /// @param goes_on  does it begin as the one before it has ended?
+  /// @param anew  may it begin with other values than the one before it has ended with, if at the same time?
   /// @param see  see(t, put) evaluates the step at t, and hands quantity k to put(k, value); its end comes before what
   ///             lies between its ends
   /// @param f  f(k, t) is quantity k at any time of the step;  @param confirm  as LargestValue::look
   template <class See, class Function, class Confirm>
-  void step(const R& t_old, const R& t_new, bool goes_on, const See& see, const Function& f, const Confirm& confirm) {
+  void step(const R& t_old, const R& t_new, bool anew, const See& see, const Function& f, const Confirm& confirm) {
     const auto time_of = [&](std::size_t i) {
       const double share = static_cast<double>(i) / static_cast<double>(pieces_);
       return i == pieces_ ? t_new : R(t_old + (t_new - t_old) * share);
@@ -37,7 +37,8 @@ class StepLooks {
       see(time_of(i), [&](std::size_t k, double value) { looks_[k][i] = value; });
     };
     for (std::vector<double>& looks : looks_) looks.front() = looks.back();
-    if (!goes_on) look_at(0);
+    if (anew || t_old != seen_to_) look_at(0);
+    seen_to_ = t_new;
     look_at(pieces_);
     const std::size_t stride = pieces_ > few && pieces_ % few == 0 ? pieces_ / few : 1;
     for (std::size_t i = stride; i < pieces_; i += stride) look_at(i);
@@ -59,6 +60,7 @@ class StepLooks {
   static constexpr std::size_t few = 4;  ///< pieces at first
 
   std::size_t pieces_;
+  R seen_to_{-1};  ///< end of the last step
   std::vector<LargestValue<R>> largest_;
   std::vector<std::vector<double>> looks_;  ///< of each quantity
 };
