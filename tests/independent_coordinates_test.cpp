@@ -190,6 +190,72 @@ TEST_CASE("independent coordinates: the exact Jacobian and slope in time are tho
   }
 }
 
+TEST_CASE("independent coordinates: what the time alone prescribes is found apart") {
+  const auto prescribed = [](const Scene& scene) {
+    Prepared prepared(scene);
+    SmallOde small(prepared.ode, prepared.units);
+    small.choose(0, prepared.start);
+    const ChartParts<double>& parts = small.chart().parts();
+    CHECK(parts.prescribed().size() + parts.free().size() == prepared.system.coordinates());
+    return parts.prescribed().columns;
+  };
+  const Scene scene = slider_crank();
+  REQUIRE(scene.bodies[0].name == "crank");
+  REQUIRE(scene.bodies[2].name == "slider");
+  const std::vector<std::size_t> of_slider{7, 8};  // across its guide, and its angle
+  CHECK(prescribed(scene) == std::vector<std::size_t>{0, 1, 2, 7, 8});
+  CHECK(prescribed(three_freedoms()) == of_slider);
+  CHECK(prescribed(one_freedom()) == of_slider);
+}
+
+TEST_CASE("independent coordinates: of a known size, without a ledger and from places near by they are the same") {
+  const Scene scene = slider_crank();
+  Prepared with(scene, true), without(scene);
+  SmallOde general(with.ode, with.units);
+  IndependentOde<double, 4> small(without.ode, without.units);
+  small.choose(0, without.start);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-1, 1);
+  std::array<double, 4> at{}, rate{};
+  small.take(without.start, at);
+  const std::array<double, 4> start = at;
+  Eigen::Matrix4d j;
+  SmallOde::Jacobian whole;
+  double t = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    CAPTURE(trial);
+    // Three times in turn, near by, as of the stages of a step, and every so often a step to new ones.
+    if (trial % 12 == 0) t += 2e-4;
+    const double now = t + 5e-5 * (trial % 3);
+    for (std::size_t k = 0; k < 2; ++k) {
+      at[k] = start[k] + 1e-4 * part(random) * std::pow(10.0, -(trial % 12) / 3);
+      at[2 + k] = 0.02 * part(random);
+    }
+    small.rate(at, rate, now);
+    general.choose(0, with.start);  // forgets all places
+    std::vector<double> x(general.dimension()), x_rate(x.size());
+    general.take(with.start, x);
+    std::copy(at.begin(), at.end(), x.begin());
+    general.rate(x, x_rate, now);
+    double scale = 0;
+    for (std::size_t i = 2; i < 4; ++i) scale = std::max(scale, std::abs(x_rate[i]));
+    for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(rate[i] - x_rate[i]) < 1e-12 * scale);  // condition 1e3
+    std::vector<double> y, other;
+    small.expand(now, at, y);
+    general.expand(now, x, other);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double size = i < 9 ? 1 : 1e3;              // rad and m; 1/s
+      CHECK(std::abs(y[i] - other[i]) < 2e-15 * size);  // a few units of rounding
+    }
+    CHECK(largest_constraint(without.system, now, y) < 2e-16);  // of a mechanism of 0.17 m
+    if (trial % 5 != 0) continue;
+    small.jacobian(at, j, now);
+    general.jacobian(x, whole, now);
+    const double largest = j.cwiseAbs().maxCoeff();
+    CHECK((j - whole.topLeftCorner(4, 4)).cwiseAbs().maxCoeff() < 1e-12 * largest);  // condition 1e3
+  }
+}
+
 TEST_CASE("independent coordinates: the golden trajectories are followed about as closely as in absolute ones") {
   for (const char* name : {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4",
                            "slider-crank-c0.2-mu0.04", "slider-crank-c0.5-mu0.04"}) {
