@@ -25,7 +25,8 @@ EulerParameters<R> turned(const EulerParameters<R>& p, const Vector3<R>& by) {
   const R size = next(0) * next(0) + next(1) * next(1) + next(2) * next(2) + next(3) * next(3);
   // Nearly 1 at the end of a search: there the series of 1/√size, whose next term is below rounding.
   const R off = size - 1;
-  const R inverse = abs(off) < R(1e-6) ? R(1 - off / 2 * (1 - R(0.75) * off)) : R(1 / sqrt(size));
+  const R inverse = off * off * abs(off) < std::numeric_limits<R>::epsilon() ? R(1 - off / 2 * (1 - R(0.75) * off))
+                                                                             : R(1 / sqrt(size));
   return EulerParameters<R>(R(next(0) * inverse), R(next(1) * inverse), R(next(2) * inverse), R(next(3) * inverse));
 }
 
@@ -82,7 +83,7 @@ class SpatialIndependentMotion {
     std::copy_n(y.begin(), places_end_, y_.begin());
     normalise();
     place_frames();
-    search(t, inside_);
+    search(t, inside_, std::numeric_limits<R>::infinity());
     find_velocities(inside_);
     std::copy_n(y_.begin(), places_end_ + n_, y.begin());
   }
@@ -92,12 +93,15 @@ class SpatialIndependentMotion {
   static constexpr std::size_t group = Group;
 
   /// @param units  in which displacements and small turns are comparable;  @param states  of the whole state
-  SpatialIndependentMotion(const SpatialSystem<R>& system, const std::vector<R>& units, std::size_t states)
+  /// @param keeps_rows  do the constraints' rows of the last evaluation stay in w_?
+  SpatialIndependentMotion(const SpatialSystem<R>& system, const std::vector<R>& units, std::size_t states,
+                           bool keeps_rows)
       : system_(system),
         bodies_(system.bodies().size()),
         places_end_(system.places()),
         n_(system.velocities()),
         m_(system.kept().size()),
+        keeps_rows_(keeps_rows),
         chart_(system, units),
         w_(system.template workspace<R>()),
         y_(states),
@@ -164,21 +168,24 @@ class SpatialIndependentMotion {
       const SpatialFrame<R>& second = system_.frame(system_.second_body_of_row(row), w_);
       std::visit(
           [&]<class Constraint>(const Constraint& constraint) {
-            std::array<SpatialRow<R>, Constraint::rows> from;
-            constraint.evaluate(first, second, t, from.data());
-            for (std::size_t i = 0; i < Constraint::rows; ++i) {
-              if (number_of_row_[row + i] != none) keep(number_of_row_[row + i], from[i]);
-            }
+            for_each_row_of(constraint, first, second, t, [&](std::size_t i, const SpatialRow<R>& from) {
+              if (number_of_row_[row + i] != none) keep(number_of_row_[row + i], from);
+            });
           },
           constraints[c].constraint);
     }
   }
 
+  /// Values of the rows at the places of the frames; the factors stay.
+  void evaluate_here(const R& t) {
+    for_each_row(t, [this](std::size_t number, const SpatialRow<R>& row) { chart_.put_value(number, row.value); });
+    chart_.for_each_function(w_,
+                             [this](std::size_t k, const SpatialRow<R>& row) { chart_.put_value(m_ + k, row.value); });
+  }
   /// Rows and factors at the places of the frames.
   void factorise_here(const R& t) {
     for_each_row(t, [this](std::size_t number, const SpatialRow<R>& row) { chart_.put(number, row); });
-    chart_.evaluate(w_, functions_.data());
-    for (std::size_t k = 0; k < freedoms(); ++k) chart_.put(m_ + k, functions_[k]);
+    chart_.for_each_function(w_, [this](std::size_t k, const SpatialRow<R>& row) { chart_.put(m_ + k, row); });
     chart_.factorise();
   }
 
@@ -188,6 +195,9 @@ class SpatialIndependentMotion {
     for (std::size_t row = 0; row < n_; ++row) residual_[row] = chart_.value(row);
     for (std::size_t k = 0; k < freedoms(); ++k) residual_[m_ + k] = off(k, residual_[m_ + k], x[k]);
     chart_.solve(residual_.data(), step_.data(), work_.data());
+    return size_of_step();
+  }
+  R size_of_step() const {
     R size(0);
     for (std::size_t i = 0; i < n_; i += 6) {
       for (std::size_t k = 0; k < 3; ++k)
@@ -204,12 +214,12 @@ class SpatialIndependentMotion {
     return R(difference - turn * round(R(difference / turn)));
   }
 
-  /// Places near those of the same time, or of the latest place.
+  /// Places near those of the same time, or of the latest place. @returns how far from them, if there are any
   template <class Small>
-  void guess(std::size_t at, const R& t, const Small& x) {
+  R guess(std::size_t at, const R& t, const Small& x) {
     const std::size_t f = freedoms();
     const Place& from = places_[at < places_.size() ? at : latest_];
-    if (!from.known) return;  // y_ is what was taken
+    if (!from.known) return std::numeric_limits<R>::infinity();  // y_ is what was taken
     std::copy(from.q.begin(), from.q.end(), y_.begin());
     for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
     std::fill(step_.begin(), step_.end(), R(0));
@@ -221,6 +231,7 @@ class SpatialIndependentMotion {
     for (std::size_t k = 0; k < f; ++k) right_[k] = off(k, right_[k], R(0));
     add_along(from, right_.data(), step_.data());
     displace(R(1));
+    return size_of_step();
   }
 
   /// x += V dz
@@ -258,7 +269,12 @@ class SpatialIndependentMotion {
       frame.body_spin = Vector3<R>(v[3], v[4], v[5]);
       frame.spin = product(frame.rotation, frame.body_spin);
     }
-    for_each_row(t, [this](std::size_t number, const SpatialRow<R>& row) { gammas_[number] = row.gamma; });
+    if (keeps_rows_) {
+      system_.evaluate_constraints(t, w_, system_.every_body);
+      for (std::size_t i = 0; i < m_; ++i) gammas_[i] = w_.rows[system_.kept()[i]].gamma;
+    } else {
+      for_each_row(t, [this](std::size_t number, const SpatialRow<R>& row) { gammas_[number] = row.gamma; });
+    }
     chart_.evaluate(w_, functions_.data());
     for (std::size_t k = 0; k < f; ++k) gammas_[m_ + k] = functions_[k].gamma;
     here_ = true;
@@ -276,11 +292,16 @@ class SpatialIndependentMotion {
     const std::size_t f = freedoms();
     std::size_t at = 0;
     while (at < places_.size() && !(places_[at].known && places_[at].t == t)) ++at;
-    guess(at, t, x);
+    const R moved = guess(at, t, x);
     place_frames();
-    if (at == places_.size()) at = next_ = (next_ + 1) % places_.size();
+    if (at == places_.size()) {
+      at = next_ = (next_ + 1) % places_.size();
+      if (at != latest_ && places_[latest_].known) chart_.copy_factors(latest_, at);
+    }
     Place& place = places_[at];
-    search(t, x);  // the place stays as it is if there is none
+    place.known = false;
+    chart_.use(at);
+    search(t, x, moved);
     // V, a column each function.
     for (std::size_t row = 0; row < m_; ++row) column_residual_[row].setZero();
     for (std::size_t g = 0; g < groups(); ++g) {
@@ -297,21 +318,32 @@ class SpatialIndependentMotion {
     latest_ = at;
   }
 
-  /// By Newton's method from the frames, with factors at the end.
+  /// By Newton's method from the frames, with factors at the end. Its first steps take the factors that there are.
+  /// @param moved  how far from where those were made, as newton_step's sizes; infinity: there are none
   template <class Small>
-  void search(const R& t, const Small& x) {
+  void search(const R& t, const Small& x, R moved) {
     const R rounding = 4 * std::numeric_limits<R>::epsilon();
     R before = std::numeric_limits<R>::infinity();
     for (int iteration = 0;; ++iteration) {
-      factorise_here(t);
+      const bool afresh = !(moved < R(near)) || iteration > 3;
+      if (afresh) {
+        factorise_here(t);
+        moved = R(0);
+      } else {
+        evaluate_here(t);
+      }
       const R size = newton_step(x);
-      if (size <= rounding || (iteration > 0 && size >= before && size < 1000 * rounding)) break;
+      if (size <= rounding || (iteration > 0 && size >= before && size < 1000 * rounding)) {
+        if (!afresh) factorise_here(t);
+        break;
+      }
       if (!(size < 1) || iteration == most_iterations)
         throw SingularConstraints("no places near the last ones fulfil the constraints");
       before = size;
       displace(R(-1));
       place_frames();
-      if (size < R(last_step)) {
+      moved += size;
+      if (moved * size < std::numeric_limits<R>::epsilon() / 256) {  // what is left is a few times that
         factorise_here(t);
         break;
       }
@@ -349,11 +381,12 @@ class SpatialIndependentMotion {
   const SpatialSystem<R>& system_;
   std::size_t bodies_, places_end_;  ///< number of (r, p), behind which velocities begin
   std::size_t n_, m_;
+  bool keeps_rows_;
   SpatialCoordinateChart<R> chart_;
   SpatialWorkspace<R> w_;
   Full y_;                   ///< (r, p; ṙ, ω′) of the last evaluation
   R inverse_length_ = R(1);  ///< of the largest coordinate of a mass centre when the chart was chosen [1/m]
-  std::array<Place, 4> places_;
+  std::array<Place, SpatialCoordinateChart<R>::slots> places_;
   std::size_t next_ = 0;          ///< the one to be given up next
   std::size_t latest_ = 0;        ///< that of the last evaluation
   bool here_ = false;             ///< is y_ that of latest_ and speeds_?
@@ -370,8 +403,8 @@ class SpatialIndependentMotion {
 
  private:
   static constexpr int most_iterations = 12;
-  /// Of a Newton step in the size of the mechanism: what it leaves is of its square, below rounding.
-  static constexpr double last_step = 1e-9;
+  /// Further from where factors were made they serve no more: each step would gain less than three digits.
+  static constexpr double near = 1e-3;
 
   std::vector<std::size_t> number_of_row_;  ///< of each of the system's rows in A, or none
 };

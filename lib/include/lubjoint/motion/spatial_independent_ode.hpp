@@ -10,6 +10,7 @@
 #include "lubjoint/motion/spatial_independent_motion.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
 #include "lubjoint/motion/spatial_prescribed_motion.hpp"
+#include "lubjoint/multibody/small_ldlt.hpp"
 
 namespace lubjoint {
 
@@ -38,7 +39,7 @@ class SpatialIndependentOde final
   /// @param ode  whose equations these are, with what its joints remember; kept by reference
   /// @param units  in which displacements and small turns are comparable, six a body
   SpatialIndependentOde(SpatialOde<R>& ode, const std::vector<R>& units)
-      : Motion(ode.system(), units, ode.dimension()),
+      : Motion(ode.system(), units, ode.dimension(), ode.with_ledger()),
         ode_(ode),
         dual_(system_.template workspace<Seeded>()),
         forces_(n_),
@@ -118,16 +119,21 @@ class SpatialIndependentOde final
     if constexpr (N == run_time_size) {
       if (ode_.with_ledger()) {
         find_multipliers();
-        system_.evaluate_constraints(t, w_, system_.every_body);
         ode_.fill_powers(t, w_, &dxdt[2 * f]);
       }
     }
   }
 
-  void jacobian(const State& x, Jacobian& j, const R& t) override {
+  /// λ of all rows of Φ at a state; 0 of those that are left out.
+  const std::vector<R>& multipliers(const State& x, const R& t) {
     follow(t, x);
     accelerate(t);
     find_multipliers();
+    return w_.multipliers;
+  }
+
+  void jacobian(const State& x, Jacobian& j, const R& t) override {
+    multipliers(x, t);
     const std::size_t f = freedoms();
     const std::size_t states = x.size();
     if constexpr (N == run_time_size) j.setZero(index(states), index(states));
@@ -156,9 +162,7 @@ class SpatialIndependentOde final
   }
 
   void time_slope(const State& x, State& slope, const R& t) override {
-    follow(t, x);
-    accelerate(t);
-    find_multipliers();
+    multipliers(x, t);
     const std::size_t f = freedoms();
     for (std::size_t row = 0; row < m_; ++row) residual_[row] = -chart_.time_rate(row);
     std::fill(residual_.begin() + static_cast<std::ptrdiff_t>(m_), residual_.end(), R(0));
@@ -229,7 +233,7 @@ class SpatialIndependentOde final
     for (std::size_t i = 0; i < n_; ++i) forces_[i] = w_.forces[i] - forces_[i];
     factorise_reduced();
     project(forces_.data(), accelerations_.data());
-    solve_reduced(accelerations_.data());
+    solve_ldlt(freedoms(), reduced_.data(), accelerations_.data());
     add_along(places_[latest_], accelerations_.data(), a);
     accelerated_ = true;
   }
@@ -266,34 +270,7 @@ class SpatialIndependentOde final
         }
       }
     }
-    for (std::size_t k = 0; k < f; ++k) {
-      R* row = reduced_.data() + k * f;
-      const R whole = row[k];
-      for (std::size_t l = 0; l < k; ++l) {
-        const R* earlier = reduced_.data() + l * f;
-        for (std::size_t i = 0; i < l; ++i) row[l] -= row[i] * earlier[i];  // L_ki D_i, not yet divided
-      }
-      for (std::size_t l = 0; l < k; ++l) {
-        const R times_d = row[l];
-        row[l] *= reduced_[l * f + l];
-        row[k] -= times_d * row[l];
-      }
-      if (!(row[k] > whole * 64 * std::numeric_limits<R>::epsilon()))
-        throw SingularConstraints("the mass that the free coordinates move is singular here");
-      row[k] = 1 / row[k];
-    }
-  }
-
-  template <class V>
-  void solve_reduced(V* b) const {
-    const std::size_t f = freedoms();
-    for (std::size_t k = 1; k < f; ++k) {
-      for (std::size_t l = 0; l < k; ++l) b[k] -= reduced_[k * f + l] * b[l];
-    }
-    for (std::size_t k = f; k-- > 0;) {
-      b[k] *= reduced_[k * f + k];
-      for (std::size_t l = k + 1; l < f; ++l) b[k] -= reduced_[l * f + k] * b[l];
-    }
+    factorise_ldlt(f, reduced_.data());
   }
 
   /// Vᵀ x
@@ -384,7 +361,7 @@ class SpatialIndependentOde final
     weigh(v_slopes_.data(), right_slopes_.data());
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= right_slopes_[i];
     project(slopes_.data(), reduced_slopes_.data());
-    solve_reduced(reduced_slopes_.data());
+    solve_ldlt(f, reduced_.data(), reduced_slopes_.data());
     if (!ode_.with_ledger()) return;
     for (std::size_t k = 0; k < f; ++k) {
       const Columns* v = column(k);

@@ -54,6 +54,7 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
     return real_;
   }
   const SpatialWorkspace<R>& last() const { return real_; }  ///< likewise, to be looked at
+  const R& last_time() const { return evaluated_t_; }        ///< its time [s]
 
   /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
   MechanicalEnergy<R> energy(const State& y) const {

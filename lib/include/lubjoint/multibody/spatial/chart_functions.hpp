@@ -41,6 +41,19 @@ void fill_eccentricity(const SpatialFrame<T>& bearing_body, const SpatialFrame<T
   }
 }
 
+namespace detail {
+
+/// q = p₀⁻¹ p, the turn since p₀ in the body's frame.
+template <class T>
+EulerParameters<T> turn_since(const EulerParameters<RealOf<T>>& from, const EulerParameters<T>& p) {
+  return EulerParameters<T>(T(from(0) * p(0) + from(1) * p(1) + from(2) * p(2) + from(3) * p(3)),
+                            T(from(0) * p(1) - from(1) * p(0) - from(2) * p(3) + from(3) * p(2)),
+                            T(from(0) * p(2) - from(2) * p(0) - from(3) * p(1) + from(1) * p(3)),
+                            T(from(0) * p(3) - from(3) * p(0) - from(1) * p(2) + from(2) * p(1)));
+}
+
+}  // namespace detail
+
 /// The turn of a body about an axis a fixed to it, since an orientation p₀. With q = (q₀, 𝐪) = p₀⁻¹p, q_a = a·𝐪 and
 /// ρ² = q₀² + q_a²:
 ///   z = 2 atan2(q_a, q₀),   ż = c·ω′,   c = (q₀² a + q₀ a × 𝐪 + q_a 𝐪)/ρ²,   γ = −ċ·ω′.
@@ -50,12 +63,7 @@ void fill_eccentricity(const SpatialFrame<T>& bearing_body, const SpatialFrame<T
 template <class T>
 void fill_turn(const SpatialFrame<T>& body, const Vector3<RealOf<T>>& axis, const EulerParameters<RealOf<T>>& from,
                SpatialRow<T>& row) {
-  const EulerParameters<T>& p = body.parameters;
-  // q = p₀⁻¹ p
-  const EulerParameters<T> q(T(from(0) * p(0) + from(1) * p(1) + from(2) * p(2) + from(3) * p(3)),
-                             T(from(0) * p(1) - from(1) * p(0) - from(2) * p(3) + from(3) * p(2)),
-                             T(from(0) * p(2) - from(2) * p(0) - from(3) * p(1) + from(1) * p(3)),
-                             T(from(0) * p(3) - from(3) * p(0) - from(1) * p(2) + from(2) * p(1)));
+  const EulerParameters<T> q = detail::turn_since(from, body.parameters);
   const EulerParameters<T> q_rate = euler_rate(q, body.body_spin);
   const auto vector = [](const EulerParameters<T>& of) { return Vector3<T>(of(1), of(2), of(3)); };
   const auto along = [&](const EulerParameters<T>& of) {

@@ -76,6 +76,30 @@ class SpatialCoordinateChart {
     }
   }
 
+  /// The same on plain numbers, one after the other to keep(k, row), which the compiler spares what it does not read.
+  template <class Keep>
+  void for_each_function(const SpatialWorkspace<R>& w, const Keep& keep) const {
+    for (std::size_t k = 0; k < freedoms(); ++k) {
+      const Candidate& c = candidates_[chosen_[k]];
+      if (!is_of_joint(k)) {
+        in_one_piece<R>([&] {
+          SpatialRow<R> row;
+          fill_of_body(c, w, row);
+          keep(k, row);
+        });
+        continue;
+      }
+      const bool both = c.part == 0 && k + 1 < freedoms() && chosen_[k + 1] == chosen_[k] + 1;
+      in_one_piece<R>([&] {
+        std::array<SpatialRow<R>, 2> rows;
+        fill_joint(joint_of(k), w, rows);
+        keep(k, rows[c.part]);
+        if (both) keep(k + 1, rows[1]);
+      });
+      if (both) ++k;
+    }
+  }
+
   /// Numbers of the bodies of function k, as of a constraint's row.
   std::pair<std::size_t, std::size_t> bodies_of(std::size_t k) const {
     return {candidates_[chosen_[k]].first, candidates_[chosen_[k]].second};
@@ -91,9 +115,18 @@ class SpatialCoordinateChart {
     return true;
   }
 
+  static constexpr std::size_t slots = 4;  ///< how many factors it keeps
+
+  /// Works with the factors of this slot from here on.
+  void use(std::size_t slot) { slot_ = slot; }
+  /// Puts copies of one slot's factors into another.
+  void copy_factors(std::size_t from, std::size_t to) { numbers_[to] = numbers_[from]; }
+
+  /// Takes the value alone of a row: the factors stay.
+  void put_value(std::size_t row, const R& value) { numbers()[row * row_numbers] = value; }
   /// Takes a row of A, of the constraints that are kept or, from number m on, of the functions, at new places.
   void put(std::size_t row, const SpatialRow<R>& from) {
-    R* numbers = numbers_.data() + row * row_numbers;
+    R* numbers = this->numbers() + row * row_numbers;
     numbers[0] = from.value;
     numbers[1] = from.time_rate;
     std::copy(from.first.begin(), from.first.end(), numbers + first_derivative);
@@ -101,22 +134,22 @@ class SpatialCoordinateChart {
     if (row >= m_ && is_turn(row - m_))  // 1/ρ²
       turns_[row - m_] = from.first[3] * from.first[3] + from.first[4] * from.first[4] + from.first[5] * from.first[5];
   }
-  const R& value(std::size_t row) const { return numbers_[row * row_numbers]; }          ///< of a row: Φ or z
-  const R& time_rate(std::size_t row) const { return numbers_[row * row_numbers + 1]; }  ///< Φ_t
+  const R& value(std::size_t row) const { return numbers()[row * row_numbers]; }          ///< of a row: Φ or z
+  const R& time_rate(std::size_t row) const { return numbers()[row * row_numbers + 1]; }  ///< Φ_t
 
   /// Factors of the rows that were put.
-  void factorise() { lu_.factorise(numbers_.data()); }
+  void factorise() { lu_.factorise(numbers()); }
 
   /// Solves A x = b. V: R, or several right-hand sides at once.
   /// @param b  of the constraints' rows, then of the functions;  @param work  as many
   template <class V>
   void solve(const V* b, V* x, V* work) const {
-    lu_.solve(numbers_.data(), b, x, work);
+    lu_.solve(numbers(), b, x, work);
   }
   /// Solves Aᵀ x = b.
   template <class V>
   void solve_transposed(const V* b, V* x, V* work) const {
-    lu_.solve_transposed(numbers_.data(), b, x, work);
+    lu_.solve_transposed(numbers(), b, x, work);
   }
 
   /// How much smaller than when they were chosen the pivots have become, or ρ² of a turn: 1 for a fresh chart, 0 where
@@ -124,7 +157,7 @@ class SpatialCoordinateChart {
   R wear() const {
     R most(1);
     for (std::size_t k = 0; k < n_; ++k)
-      most = std::max<R>(most, size_of(lu_.inverse_pivot(k, numbers_.data())) / first_inverse_pivots_[k]);
+      most = std::max<R>(most, size_of(lu_.inverse_pivot(k, numbers())) / first_inverse_pivots_[k]);
     for (const R& inverse_square : turns_) most = std::max<R>(most, inverse_square);
     return 1 / most;
   }
@@ -140,6 +173,8 @@ class SpatialCoordinateChart {
   static constexpr std::size_t row_numbers = 14;
   static constexpr std::size_t first_derivative = 2;
 
+  R* numbers() { return numbers_[slot_].data(); }
+  const R* numbers() const { return numbers_[slot_].data(); }
   static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
   std::size_t of_joints() const { return 2 * system_->joints().size(); }
@@ -296,11 +331,12 @@ class SpatialCoordinateChart {
       for (std::size_t j = 0; j < n_; ++j) a[row * n_ + j] *= units_[j] / size;
     }
     if (!lu_.find_order(n_, std::move(a), places, n_ * row_numbers)) return false;
-    numbers_.assign(lu_.storage(), R(0));
+    numbers_.fill(std::vector<R>(lu_.storage(), R(0)));
+    slot_ = 0;
     for (std::size_t row = 0; row < n_; ++row) put(row, rows[row]);
     factorise();
     first_inverse_pivots_.resize(n_);
-    for (std::size_t k = 0; k < n_; ++k) first_inverse_pivots_[k] = size_of(lu_.inverse_pivot(k, numbers_.data()));
+    for (std::size_t k = 0; k < n_; ++k) first_inverse_pivots_[k] = size_of(lu_.inverse_pivot(k, numbers()));
     return true;
   }
 
@@ -367,7 +403,8 @@ class SpatialCoordinateChart {
   std::vector<std::pair<std::size_t, std::size_t>> sides_;  ///< bodies of every row of A
   std::vector<bool> pattern_;                               ///< of the constraints' rows
   ListedLu<R> lu_;
-  std::vector<R> numbers_;  ///< the rows and, behind them, fill
+  std::array<std::vector<R>, slots> numbers_;  ///< of each slot: the rows and, behind them, fill
+  std::size_t slot_ = 0;                       ///< in use
   std::vector<R> first_inverse_pivots_;
   std::vector<R> first_sizes_;  ///< of functions, when they were chosen
   std::vector<R> turns_;        ///< 1/ρ² of functions that are turns

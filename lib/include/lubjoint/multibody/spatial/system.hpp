@@ -247,7 +247,9 @@ class SpatialSystem {
       }
       std::visit(
           [&](const auto& constraint) {
-            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[row]);
+            const SpatialFrame<T>& first = frame(sides.first, w);
+            const SpatialFrame<T>& second = frame(sides.second, w);
+            in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); });
           },
           constraints_[c].constraint);
     }
