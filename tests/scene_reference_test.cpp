@@ -71,7 +71,8 @@ Keys both(Keys a, const Keys& b) {
 TEST_CASE("scene reference: its tables have the keys that the reader asks for, and no other") {
   const std::string file = "lib/src/scene_file.cpp";
   const std::string parts = "lib/src/scene_parts.cpp";
-  CHECK(documented("The file itself") == asked_for(file, {"read_scene", "read_duration"}));
+  CHECK(documented("The file itself") ==
+        both(asked_for(file, {"read_scene", "read_duration"}), asked_for(parts, {"read_coordinates"})));
   CHECK(documented("`[[bodies]]`") == asked_for(file, {"read_body"}));
   const std::string forces = "lib/src/scene_forces.cpp";
   CHECK(documented("`[[loads]]`") == both(asked_for(forces, {"read_load", "read_harmonic", "read_unbalance"}),
@@ -95,7 +96,8 @@ TEST_CASE("scene reference: its tables of scenes in space have the keys that the
   const std::string file = "lib/src/spatial_scene_file.cpp";
   const std::string parts = "lib/src/spatial_constraints.cpp";
   CHECK(documented("In space: the file") ==
-        both(asked_for(file, {"read_spatial_scene"}), asked_for("lib/src/scene_file.cpp", {"read_duration"})));
+        both(both(asked_for(file, {"read_spatial_scene"}), asked_for("lib/src/scene_file.cpp", {"read_duration"})),
+             asked_for("lib/src/scene_parts.cpp", {"read_coordinates"})));
   CHECK(documented("In space: `[[bodies]]`") ==
         both(asked_for(file, {"read_spatial_body", "read_inertia"}), asked_for(parts, {"read_orientation"})));
   CHECK(documented("In space: `[[loads]]`") == asked_for(file, {"read_spatial_load", "read_spatial_harmonic"}));

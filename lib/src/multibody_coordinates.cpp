@@ -40,45 +40,51 @@ std::string counted(std::size_t count, const std::string& what, const std::strin
 
 }  // namespace
 
-CoordinatesChoice choose_coordinates(const Scene& scene, const PlanarSystem<double>& system) {
-  const std::size_t coordinates = system.coordinates();
-  const std::size_t freedoms = coordinates - system.constraint_rows();
-  if (scene.coordinates == SceneCoordinates::absolute) return {false, ""};
-  if (scene.coordinates == SceneCoordinates::independent) {
+CoordinatesChoice choose_coordinates(const CoordinatesCase& given) {
+  const std::size_t freedoms = given.coordinates - given.constraints;
+  if (given.asked == SceneCoordinates::absolute) return {false, ""};
+  if (given.asked == SceneCoordinates::independent) {
     if (freedoms == 0) {
-      throw SceneError(scene.file +
+      throw SceneError(given.file +
                        ": coordinates = \"independent\", but the constraints prescribe all motion and leave none; "
                        "allowed are \"auto\" and \"absolute\"");
     }
     return {true, ""};
   }
   const std::string count = counted(freedoms, "degree of freedom", "degrees of freedom");
-  if (system.constraint_rows() == 0) return {false, "there are no constraints"};
-  if (asks_for_stabilisation(scene.stabilisation))
+  if (given.constraints == 0) return {false, "there are no constraints"};
+  if (asks_for_stabilisation(given.stabilisation))
     return {false, "the scene asks for a stabilisation of its constraints"};
   if (freedoms == 0) return {false, "the constraints prescribe all motion"};
   if (freedoms > most_freedoms) return {false, count + " are more than " + std::to_string(most_freedoms)};
-  if (coordinates > most_coordinates) {
-    return {false, std::to_string(coordinates) + " coordinates are more than " + std::to_string(most_coordinates)};
+  if (given.coordinates > most_coordinates) {
+    return {false,
+            std::to_string(given.coordinates) + " coordinates are more than " + std::to_string(most_coordinates)};
   }
-  return {true, count + " in " + std::to_string(coordinates) + " coordinates"};
+  return {true, count + " in " + std::to_string(given.coordinates) + " coordinates"};
 }
+
+CoordinatesChoice choose_coordinates(const Scene& scene, const PlanarSystem<double>& system) {
+  return choose_coordinates(
+      {scene.coordinates, scene.stabilisation, scene.file, system.coordinates(), system.constraint_rows()});
+}
+
+// Steps in independent coordinates are as long as their tolerance lets them be, those in absolute ones are kept short
+// by places a thousand times larger: with a tenth, a scene's tolerance means errors of the same size in both. Below
+// 1e-14 rounding would be all that is left of an error estimate.
+double tolerance_of_independent(double given) { return std::max(given / 10, std::min(given, 1e-14)); }
 
 std::unique_ptr<Integrator<double, run_time_size>> independent_method(const std::string& name, const Scene& scene,
                                                                       MultibodyOde<double>& ode, const RunSettings& run,
                                                                       const std::vector<double>& tolerances) {
-  // Steps in independent coordinates are as long as their tolerance lets them be, those in absolute ones are kept short
-  // by places a thousand times larger: with a tenth, a scene's tolerance means errors of the same size in both. Below
-  // 1e-14 rounding would be all that is left of an error estimate.
-  const auto tightened = [](double given) { return std::max(given / 10, std::min(given, 1e-14)); };
-  const double share = tightened(run.absolute_tolerance) / run.absolute_tolerance;
+  const double share = tolerance_of_independent(run.absolute_tolerance) / run.absolute_tolerance;
   const double rate = scene_units(scene).rate;
   std::vector<std::array<double, 2>> of_joints;
   for (const SceneJoint& joint : scene.joints) {
     const double place = share * run.absolute_tolerance * joint.clearance;
     of_joints.push_back({place, place * rate});
   }
-  StepTolerance<double, run_time_size> tolerance{0, tolerances, tightened(run.relative_tolerance),
+  StepTolerance<double, run_time_size> tolerance{0, tolerances, tolerance_of_independent(run.relative_tolerance),
                                                  ode.dimension() - ode.mechanical_states()};
   for (double& each : tolerance.absolute) each *= share;
   const std::size_t freedoms = ode.system().coordinates() - ode.system().constraint_rows();

@@ -258,7 +258,7 @@ Scene read_scene(TableReader root, const std::string& file, bool is_rough = fals
                 "at least one [[joints]] or [[constraints]] table, or joints = [] for bodies that fly freely");
   }
   if (root.has("stabilisation")) scene.stabilisation = read_stabilisation(root.table("stabilisation"));
-  scene.coordinates = read_coordinates(root, scene);
+  scene.coordinates = read_coordinates(root, !scene.constraints.empty(), scene.stabilisation);
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene.integrator, scene.run);
   if (root.has("output")) scene.energy_ledger = read_output(root.table("output"), scene.run);

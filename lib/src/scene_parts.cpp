@@ -183,18 +183,18 @@ SceneConstraint read_constraint(TableReader table, const Scene& scene) {
   return constraint;
 }
 
-SceneCoordinates read_coordinates(TableReader& root, const Scene& scene) {
+SceneCoordinates read_coordinates(TableReader& root, bool constrained, const SceneStabilisation& stabilisation) {
   const std::string name = root.text_or("coordinates", "auto");
   if (name == "auto") return SceneCoordinates::automatic;
   if (name != "independent" && name != "absolute") {
     root.refuse("coordinates", in_quotes(name), "\"auto\", \"independent\" or \"absolute\"");
   }
-  if (scene.constraints.empty()) {
+  if (!constrained) {
     root.refuse("coordinates", in_quotes(name) + " in a scene without constraints, where both are the same",
                 "to leave the key out");
   }
   if (name == "absolute") return SceneCoordinates::absolute;
-  if (scene.stabilisation.asked) {
+  if (stabilisation.asked) {
     root.refuse("coordinates",
                 in_quotes(name) + " beside a stabilisation table, which independent coordinates don't need",
                 "one of the two, or \"absolute\"");

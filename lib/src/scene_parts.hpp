@@ -45,7 +45,7 @@ void read_contact(TableReader& joint_table, SceneJoint& joint);
 SceneConstraint read_constraint(TableReader table, const Scene& scene);
 SceneStabilisation read_stabilisation(TableReader table);
 /// Of a scene whose constraints and stabilisation are read.
-SceneCoordinates read_coordinates(TableReader& root, const Scene& scene);
+SceneCoordinates read_coordinates(TableReader& root, bool constrained, const SceneStabilisation& stabilisation);
 
 // What scenes in the plane and in space have alike; in scene_file.cpp.
 

@@ -151,6 +151,7 @@ SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
       root.refuse("stabilisation", "one that passes singular positions", "singular_positions = \"stop\" in space");
     }
   }
+  scene.coordinates = read_coordinates(root, !scene.constraints.empty(), scene.stabilisation);
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene.integrator, scene.run);
   if (root.has("output")) scene.energy_ledger = read_output(root.table("output"), scene.run);

@@ -2,6 +2,7 @@
 
 #include "lubjoint/motion/spatial_run.hpp"
 #include "lubjoint/ode/integrators.hpp"
+#include "lubjoint/scene/spatial_coordinates.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "pilot_run.hpp"
 
@@ -41,6 +42,7 @@ detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const Prep
 
 SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   const PreparedSpatialScene prepared = prepare_spatial(scene);
+  const CoordinatesChoice coordinates = choose_coordinates(scene, prepared.system);
   SpatialTrajectory result;
   const auto begin = std::chrono::steady_clock::now();
   detail::IntegratorChoice choice{scene.integrator, ""};
@@ -50,13 +52,18 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   SpatialOde<double> ode(prepared.system, scene.energy_ledger);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();
   const std::vector<double> tolerances = scene_tolerances(scene);
-  SpatialRun<double> run(ode, scene.run, method_of(choice.name, scene.run, tolerances, integrals), upkeep_of(scene),
+  SpatialRun<double> run(ode, scene.run,
+                         coordinates.independent ? independent_method(choice.name, scene, ode, scene.run, tolerances)
+                                                 : method_of(choice.name, scene.run, tolerances, integrals),
+                         coordinates.independent ? ConstraintUpkeep::by_accelerations : upkeep_of(scene),
                          resolution_of(scene));
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();
   result.outcome.integrator = choice.name;
   result.outcome.integrator_reason = choice.reason;
+  result.outcome.coordinates = coordinates.independent ? "independent" : "absolute";
+  result.outcome.coordinates_reason = coordinates.reason;
   result.correction = prepared.found.correction;
   result.rows = prepared.system.constraint_rows();
   result.rank = prepared.found.rank;

@@ -17,31 +17,50 @@
 
 namespace lubjoint {
 
-/// An integrator of (q, q̇, work) that makes its steps with another one in the functions of the present chart. States at
+/// What steps in independent coordinates ask of equations in all coordinates. Those in space have their own.
+template <class Small>
+struct IndependentStates;
+
+/// In the plane: coordinates, then as many velocities.
+template <class R, std::size_t N>
+struct IndependentStates<IndependentOde<R, N>> {
+  using Equations = MultibodyOde<R>;  ///< in all coordinates
+  /// In which coordinates are comparable. @param tolerance  of all states
+  static std::vector<R> units(const MultibodyOde<R>& ode, const std::vector<R>& tolerance) {
+    return {tolerance.begin(), tolerance.begin() + static_cast<std::ptrdiff_t>(ode.system().coordinates())};
+  }
+  /// Tolerance of a function that is no eccentricity, or of its rate.
+  static R tolerance(const MultibodyOde<R>& ode, const CoordinateChart<R>& chart, std::size_t k, bool of_rate,
+                     const std::vector<R>& of_all) {
+    return of_all[(of_rate ? ode.system().coordinates() : 0) + chart.coordinate_of(k)];
+  }
+};
+
+/// An integrator of all states that makes its steps with another one in the functions of the present chart. States at
 /// the ends of steps fulfil the constraints to rounding. A chart that wears out is replaced between two steps.
 /// @tparam N  number of states in a chart's functions, or run_time_size
-template <class R, std::size_t N>
+/// @tparam Small  the equations in these functions
+template <class R, std::size_t N, class Small = IndependentOde<R, N>>
 class IndependentIntegrator final : public Integrator<R, run_time_size> {
  public:
   using Base = Integrator<R, run_time_size>;                              ///< what it is
   using Method = Integrator<R, N>;                                        ///< what it steps with
   using System = OdeSystem<R, run_time_size>;                             ///< in all coordinates
-  using State = std::vector<R>;                                           ///< (q, q̇, work)
+  using State = std::vector<R>;                                           ///< places, velocities, work
+  using States = IndependentStates<Small>;                                ///< what they are
+  using Equations = typename States::Equations;                           ///< of all states
   using FullTolerance = StepTolerance<R, run_time_size>;                  ///< of all states
   using Tolerance = StepTolerance<R, N>;                                  ///< of the chart's
   using Make = std::function<std::unique_ptr<Method>(const Tolerance&)>;  ///< makes the method
 
   /// @param ode  whose equations are integrated, kept by reference;  @param tolerance  of all states
   /// @param of_joints  tolerance of each joint's eccentricity and of its rate [m, m/s]
-  IndependentIntegrator(MultibodyOde<R>& ode, FullTolerance tolerance, std::vector<std::array<R, 2>> of_joints,
-                        Make make)
+  IndependentIntegrator(Equations& ode, FullTolerance tolerance, std::vector<std::array<R, 2>> of_joints, Make make)
       : tolerance_(std::move(tolerance)),
         of_joints_(std::move(of_joints)),
         make_(std::move(make)),
-        coordinates_(ode.system().coordinates()),
-        constraints_(ode.system().constraints()),
-        small_(ode,
-               {tolerance_.absolute.begin(), tolerance_.absolute.begin() + static_cast<std::ptrdiff_t>(coordinates_)}) {
+        ode_(ode),
+        small_(ode, States::units(ode, tolerance_.absolute)) {
     Tolerance some = tolerance_of_chart();
     for (std::size_t i = 0; i < some.absolute.size(); ++i) some.absolute[i] = R(1);
     method_ = make_(some);
@@ -123,8 +142,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
       : tolerance_(other.tolerance_),
         of_joints_(other.of_joints_),
         make_(other.make_),
-        coordinates_(other.coordinates_),
-        constraints_(other.constraints_),
+        ode_(other.ode_),
         small_(other.small_),
         method_(other.method_->fresh()),
         functions_(other.functions_),
@@ -139,7 +157,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     const R rounding = 16 * std::numeric_limits<R>::epsilon();  // of sines, times weights of one
     const R allowed = std::max<R>(tolerance_.nominal / 10, rounding);
     for (int trial = 0; trial < most_trials; ++trial) {
-      const R miss = prescribed_miss(constraints_, t, dt);
+      const R miss = prescribed_miss(ode_.system().constraints(), t, dt);
       if (!(miss > allowed)) return;
       dt *= std::max<R>(R(0.2), R(0.9) * pow(allowed / miss, R(1) / 6));  // the miss is of order 6
     }
@@ -154,17 +172,18 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
       for (const std::size_t rate : {std::size_t(0), std::size_t(1)}) {
         tolerance.absolute[rate * f + k] =
             small_.chart().is_of_joint(k) ? of_joints_[small_.chart().joint_of(k)][rate]
-                                          : tolerance_.absolute[rate * coordinates_ + small_.chart().coordinate_of(k)];
+                                          : States::tolerance(ode_, small_.chart(), k, rate == 1, tolerance_.absolute);
       }
     }
-    for (std::size_t i = 2 * coordinates_; i < tolerance_.absolute.size(); ++i)
-      tolerance.absolute[2 * f + i - 2 * coordinates_] = tolerance_.absolute[i];
+    const std::size_t works = ode_.mechanical_states();
+    for (std::size_t i = works; i < tolerance_.absolute.size(); ++i)
+      tolerance.absolute[2 * f + i - works] = tolerance_.absolute[i];
     return tolerance;
   }
 
   void choose(const R& t, const State& y) {
     small_.choose(t, y);
-    chosen_at_ = std::make_shared<IndependentOde<R, N>>(small_);
+    chosen_at_ = std::make_shared<Small>(small_);
     ++charts_;
     chosen_ = true;
     if (small_.chart().chosen() == functions_) return;  // in another order: the method need not know
@@ -178,17 +197,16 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
   FullTolerance tolerance_;
   std::vector<std::array<R, 2>> of_joints_;
   Make make_;
-  std::size_t coordinates_;
-  const std::vector<NamedConstraint<R>>& constraints_;
-  mutable IndependentOde<R, N> small_;
+  const Equations& ode_;
+  mutable Small small_;
   std::unique_ptr<Method> method_;
   std::vector<std::size_t> functions_;  ///< of the chart that the method steps in
-  typename IndependentOde<R, N>::State x_{};
-  std::shared_ptr<IndependentOde<R, N>> chosen_at_;  ///< in the present chart, for looks between steps
-  State stepped_;                                    ///< the end of the last step
-  State start_;                                      ///< its start
-  typename IndependentOde<R, N>::State x_start_{};   ///< likewise
-  mutable typename IndependentOde<R, N>::State x_rate_{};
+  typename Small::State x_{};
+  std::shared_ptr<Small> chosen_at_;  ///< in the present chart, for looks between steps
+  State stepped_;                     ///< the end of the last step
+  State start_;                       ///< its start
+  typename Small::State x_start_{};   ///< likewise
+  mutable typename Small::State x_rate_{};
   bool chosen_ = false;
   std::size_t charts_ = 0;
   std::size_t failed_ = 0;

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-#include "lubjoint/multibody/envelope_cholesky.hpp"
+#include "lubjoint/multibody/small_ldlt.hpp"
 #include "lubjoint/ode/integrator.hpp"
 
 namespace lubjoint {
@@ -53,35 +52,13 @@ class ReducedMass {
         }
       }
     }
-    for (std::size_t k = 0; k < freedoms(); ++k) {
-      R* row = factors_.data() + k * freedoms();
-      const R whole = row[k];
-      for (std::size_t l = 0; l < k; ++l) {
-        const R* earlier = factors_.data() + l * freedoms();
-        for (std::size_t i = 0; i < l; ++i) row[l] -= row[i] * earlier[i];  // L_ki D_i, not yet divided
-      }
-      for (std::size_t l = 0; l < k; ++l) {
-        const R times_d = row[l];
-        row[l] *= factors_[l * freedoms() + l];
-        row[k] -= times_d * row[l];
-      }
-      if (!(row[k] > whole * 64 * std::numeric_limits<R>::epsilon()))
-        throw SingularConstraints("the mass that the free coordinates move is singular here");
-      row[k] = 1 / row[k];  // 1/D in the diagonal
-    }
+    factorise_ldlt(freedoms(), factors_.data());
   }
 
   /// Replaces b by the solution of VᵀMV x = b. V: R, or several right-hand sides at once.
   template <class V>
   void solve(V* b) const {
-    const std::size_t f = freedoms();
-    for (std::size_t k = 1; k < f; ++k) {
-      for (std::size_t l = 0; l < k; ++l) b[k] -= factors_[k * f + l] * b[l];
-    }
-    for (std::size_t k = f; k-- > 0;) {
-      b[k] *= factors_[k * f + k];
-      for (std::size_t l = k + 1; l < f; ++l) b[k] -= factors_[l * f + k] * b[l];
-    }
+    solve_ldlt(freedoms(), factors_.data(), b);
   }
 
  private:

@@ -46,7 +46,7 @@ R cubic_between(const R& x0, const R& x1, const R& v0, const R& v1, const R& h, 
 /// The state inside a step of y = (r, p; ṙ, ω′; work), as StepInterpolant has it for q̇ = v: r and p by quintics, with
 ///   p̈ = ½L(p)ᵀω̇′ + ½L(ṗ)ᵀω′,
 /// p normalised; ṙ and ω′ = 2Lṗ by their derivatives, or, in a step so short that rounding of places spoils those, by
-/// the cubic of velocities and accelerations; work by the cubic.
+/// the cubic of velocities and accelerations; work by the cubic. Then step.inside, if there is one.
 template <class R>
 void spatial_state_at(const StepInterpolant<std::vector<R>>& step, std::size_t bodies, const R& t, std::vector<R>& y) {
   using std::abs;
@@ -112,6 +112,7 @@ void spatial_state_at(const StepInterpolant<std::vector<R>>& step, std::size_t b
     p = normalised(p);
     for (Eigen::Index k = 0; k < 4; ++k) y[spatial_coordinates * b + 3 + static_cast<std::size_t>(k)] = p(k);
   }
+  if (step.inside) step.inside(t, y);
 }
 
 }  // namespace lubjoint

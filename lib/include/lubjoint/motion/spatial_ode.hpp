@@ -54,6 +54,7 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
     return real_;
   }
   const SpatialWorkspace<R>& last() const { return real_; }  ///< likewise, to be looked at
+  const R& last_time() const { return evaluated_t_; }        ///< its time [s]
 
   /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
   MechanicalEnergy<R> energy(const State& y) const {
@@ -72,6 +73,32 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
           [&](std::size_t body) { return SpatialFrame<R>(spatial_motion_in(y.data(), n, body)); });
     }
     return total;
+  }
+
+  /// Powers of the terms of a ledger, of an evaluated workspace.
+  /// @param power  works() numbers
+  template <class T, class Time>
+  void fill_powers(const Time& t, const SpatialWorkspace<T>& w, T* power) const {
+    for (std::size_t i = 0; i < works(); ++i) power[i] = T(0);
+    const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const SpatialBody<R>& body = system_.bodies()[b];
+      for (Eigen::Index k = 0; k < 3; ++k)
+        add(LedgerTerm::loads, T(body.load(k) * w.frames[b].velocity(k) + body.moment(k) * w.frames[b].spin(k)));
+    }
+    const auto frame = [&](std::size_t body) -> const SpatialFrame<T>& { return system_.frame(body, w); };
+    const SpatialForceElements<R>& elements = system_.elements();
+    if (!elements.loads.empty()) add(LedgerTerm::loads, elements.template load_power<T>(t, frame));
+    if (elements.has_dampers()) add(LedgerTerm::dampers, elements.template damper_power<T>(frame));
+    for (const SpatialJointForce<T>& joint : w.joints) {
+      add(LedgerTerm::film, joint.film_power());
+      add(LedgerTerm::contact, joint.contact_power());
+    }
+    for (std::size_t row = 0; row < w.rows.size(); ++row) {
+      const bool drives = drives_[row];
+      add(drives ? LedgerTerm::drivers : LedgerTerm::constraints,
+          T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
+    }
   }
 
  private:
@@ -101,30 +128,6 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
     std::copy(w.accelerations.begin(), w.accelerations.end(),
               dydt.begin() + static_cast<std::ptrdiff_t>(system_.places()));
     if (with_ledger_) fill_powers(t, w, &dydt[mechanical_states()]);
-  }
-
-  template <class T, class Time>
-  void fill_powers(const Time& t, const SpatialWorkspace<T>& w, T* power) const {
-    for (std::size_t i = 0; i < works(); ++i) power[i] = T(0);
-    const auto add = [&](LedgerTerm term, const T& value) { power[static_cast<std::size_t>(term)] += value; };
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      const SpatialBody<R>& body = system_.bodies()[b];
-      for (Eigen::Index k = 0; k < 3; ++k)
-        add(LedgerTerm::loads, T(body.load(k) * w.frames[b].velocity(k) + body.moment(k) * w.frames[b].spin(k)));
-    }
-    const auto frame = [&](std::size_t body) -> const SpatialFrame<T>& { return system_.frame(body, w); };
-    const SpatialForceElements<R>& elements = system_.elements();
-    if (!elements.loads.empty()) add(LedgerTerm::loads, elements.template load_power<T>(t, frame));
-    if (elements.has_dampers()) add(LedgerTerm::dampers, elements.template damper_power<T>(frame));
-    for (const SpatialJointForce<T>& joint : w.joints) {
-      add(LedgerTerm::film, joint.film_power());
-      add(LedgerTerm::contact, joint.contact_power());
-    }
-    for (std::size_t row = 0; row < w.rows.size(); ++row) {
-      const bool drives = drives_[row];
-      add(drives ? LedgerTerm::drivers : LedgerTerm::constraints,
-          T(-w.multipliers[row] * (system_.constraint_rate(row, w) - w.rows[row].time_rate)));
-    }
   }
 
   const SpatialSystem<R>& system_;

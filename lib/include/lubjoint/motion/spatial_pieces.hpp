@@ -30,7 +30,11 @@ class SpatialPieces {
 
   /// @param norm_error  of Euler parameters, ||p| − 1|, that may stay
   SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep, double norm_error)
-      : ode_(ode), upkeep_(upkeep), norm_error_(norm_error), unparted_(ode.system().joints().size(), false) {
+      : ode_(ode),
+        upkeep_(upkeep),
+        norm_error_(norm_error),
+        rooms_(ode.system().joints().size()),
+        unparted_(ode.system().joints().size(), false) {
     for (const SpatialJointElement<R>& joint : ode.system().joints()) {
       has_pieces_ = has_pieces_ || joint.plane.has_contact() || joint.plane.has_half_film();
     }
@@ -67,15 +71,19 @@ class SpatialPieces {
   // What a run asks for (EventSystem).
 
   /// Asked after each step, whose end was evaluated last. Where no joint has pieces, the edges of the films alone may
-  /// be crossed: they are looked at where one has come half its way to the wall at an end of the step. A step that
-  /// brings it further and back inside, and is accepted, goes unnoticed, unless the journal itself leaves the film.
+  /// be crossed: they are looked at where the room that an edge has left may shrink inside the step, by the cubic
+  /// through it and its rate at both ends, to a quarter of what it is at these. A step that brings an edge further and
+  /// back inside, and is accepted, goes unnoticed, unless the journal itself leaves the film.
   bool watches() {
-    if (has_pieces_ || ode_.system().joints().empty()) return has_pieces_;
-    const R before = least_room_;
-    least_room_ = R(1);
-    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j)
-      least_room_ = std::min<R>(least_room_, edge_room(j, ode_.last().joints[j].kinematics));
-    return std::min<R>(before, least_room_) < R(0.5);
+    if (has_pieces_) return true;
+    bool may_cross = false;
+    for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
+      const EdgeRoom before = rooms_[j];
+      const EdgeRoom& now = rooms_[j] = room_at_end(j);
+      const R least = std::min<R>(before.room, now.room);
+      may_cross = may_cross || !(4 * (now.t - before.t) * (before.pace + now.pace) < R(0.75) * 27 * least);
+    }
+    return may_cross;
   }
   OdeSystem<R, run_time_size>& equations() { return ode_; }  ///< of the present pieces
   /// None that the plane's interpolant could take for q with q̇ = v: events are looked for on cubics, and then located
@@ -167,6 +175,25 @@ class SpatialPieces {
   static R length(const Vector2<R>& v) {
     using std::sqrt;
     return R(sqrt(R(v.x() * v.x() + v.y() * v.y())));
+  }
+
+  /// Room between a film's edge and the wall, and how quickly it changes at most [1/s].
+  struct EdgeRoom {
+    R t{0}, room{0}, pace{0};
+  };
+  EdgeRoom room_at_end(std::size_t j) const {
+    const SpatialWorkspace<R>& w = ode_.last();
+    const SpatialJointElement<R>& joint = ode_.system().joints()[j];
+    const SpatialJointKinematics<R>& k = w.joints[j].kinematics;
+    const Vector2<R>& e = k.motion.eccentricity;
+    const Vector2<R>& v = k.motion.velocity;
+    const R size = length(e);
+    R pace = size > 0 ? R(dot(e, v) / size) : length(v);
+    if (pace < 0) pace = -pace;
+    const Vector3<R> relative = difference(ode_.system().frame(joint.journal_at.body, w).spin,
+                                           ode_.system().frame(joint.bearing_at.body, w).spin);
+    pace += joint.edge_shift(R(lubjoint::cross(relative, k.journal_axis).norm()));
+    return {ode_.last_time(), edge_room(j, k), R(pace / joint.plane.bearing.clearance())};
   }
 
   JournalMotion<R> motion_of(const State& y, std::size_t j) {
@@ -278,10 +305,10 @@ class SpatialPieces {
   SpatialOde<R>& ode_;
   ConstraintUpkeep upkeep_;
   double norm_error_;
-  bool has_pieces_ = false;     ///< may a joint touch, or its half film change its side?
-  R least_room_{0};             ///< of the edges of films, at the end of the last step
-  State projected_;             ///< a copy: a projection that fails leaves nothing behind
-  std::vector<bool> unparted_;  ///< of each joint: is it on a side that has not left a = 0 yet?
+  bool has_pieces_ = false;      ///< may a joint touch, or its half film change its side?
+  std::vector<EdgeRoom> rooms_;  ///< of each film's edge, at the end of the last step
+  State projected_;              ///< a copy: a projection that fails leaves nothing behind
+  std::vector<bool> unparted_;   ///< of each joint: is it on a side that has not left a = 0 yet?
   std::vector<ContactEvent> events_;
   std::vector<MemoryChange<R>> changes_;
   std::size_t starts_ = 0;

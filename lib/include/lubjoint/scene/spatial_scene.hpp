@@ -54,15 +54,16 @@ using SpatialSceneConstraint = NamedSpatialConstraint<double>;
 
 /// A mechanism in space, what acts on it, and how it is to be run.
 struct SpatialScene {
-  std::string file;                                               ///< where it was read from
-  std::string name;                                               ///< as the file gives it
-  Vector3<double> gravity{0, 0, 0};                               ///< [m/s²]
-  std::vector<SpatialSceneBody> bodies;                           ///< in the file's order, as all lists are
-  std::vector<SpatialSceneLoad> loads;                            ///< forces and moments
-  std::vector<SpatialSceneJoint> joints;                          ///< with clearance
-  std::vector<SpatialSceneConstraint> constraints;                ///< ideal joints and drivers
-  std::vector<SpatialSpring<double>> springs;                     ///< with dampers
-  SceneStabilisation stabilisation;                               ///< how the constraints are kept
+  std::string file;                                            ///< where it was read from
+  std::string name;                                            ///< as the file gives it
+  Vector3<double> gravity{0, 0, 0};                            ///< [m/s²]
+  std::vector<SpatialSceneBody> bodies;                        ///< in the file's order, as all lists are
+  std::vector<SpatialSceneLoad> loads;                         ///< forces and moments
+  std::vector<SpatialSceneJoint> joints;                       ///< with clearance
+  std::vector<SpatialSceneConstraint> constraints;             ///< ideal joints and drivers
+  std::vector<SpatialSpring<double>> springs;                  ///< with dampers
+  SceneStabilisation stabilisation;                            ///< how the constraints are kept in absolute coordinates
+  SceneCoordinates coordinates = SceneCoordinates::automatic;  ///< that a mechanism is integrated in
   RedundantConstraints redundant = RedundantConstraints::refuse;  ///< what is done about rows that others imply
   bool energy_ledger = false;                                     ///< keep account of work and energy?
   std::string integrator = "radau_iia5";                          ///< its name

@@ -2,10 +2,12 @@
 /// in AnySpatialConstraint, a reader in lib/src/spatial_constraints.cpp, and a proof of its γ in oracle/proofs.
 #pragma once
 
+#include <array>
 #include <string>
 #include <variant>
 
 #include "lubjoint/multibody/spatial/drivers.hpp"
+#include "lubjoint/number/in_one_piece.hpp"
 
 namespace lubjoint {
 
@@ -14,6 +16,18 @@ template <class R>
 using AnySpatialConstraint =
     std::variant<FixedJoint<R>, SphericalJoint<R>, UniversalJoint<R>, RevoluteJoint<R>, CylindricalJoint<R>,
                  PrismaticJoint<R>, PlanarJoint<R>, DistanceJoint<R>, RotationalDriver<R>, TranslationalDriver<R>>;
+
+/// Hands each row of a constraint, from the frames of its bodies, to keep(i, row). γ is not formed where columns are
+/// asked for, nor are columns where values are.
+template <class Constraint, class R, class Time, class Keep>
+void for_each_row_of(const Constraint& constraint, const SpatialFrame<R>& body_i, const SpatialFrame<R>& body_j,
+                     const Time& t, const Keep& keep) {
+  in_one_piece<R>([&] {
+    std::array<SpatialRow<R>, Constraint::rows> rows;
+    constraint.evaluate(body_i, body_j, t, rows.data());
+    for (std::size_t i = 0; i < Constraint::rows; ++i) keep(i, rows[i]);
+  });
+}
 
 /// A constraint of a system, and the name that messages and results give it.
 template <class R>

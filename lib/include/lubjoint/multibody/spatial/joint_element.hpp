@@ -73,7 +73,12 @@ struct SpatialJointElement {
   template <class T>
   SpatialJointForce<T> force(const SpatialFrame<T>& bearing_body, const SpatialFrame<T>& journal_body,
                              const JointMemory<R>& memory) const {
-    SpatialJointForce<T> result{kinematics(bearing_body, journal_body), {}, T(0)};
+    return force_at(kinematics(bearing_body, journal_body), memory);
+  }
+  /// The same of known kinematics.
+  template <class T>
+  SpatialJointForce<T> force_at(const SpatialJointKinematics<T>& at, const JointMemory<R>& memory) const {
+    SpatialJointForce<T> result{at, {}, T(0)};
     const JournalMotion<T>& seen = result.kinematics.motion;
     const PlanarFrame<T> bearing(ground_motion<T>());
     const PlanarFrame<T> journal({seen.eccentricity, T(0), seen.velocity, seen.journal_spin});

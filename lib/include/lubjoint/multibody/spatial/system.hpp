@@ -90,6 +90,7 @@ class SpatialSystem {
     find_structure();
   }
   const std::vector<std::size_t>& left_out() const { return left_out_; }  ///< rows that the equations do without
+  const std::vector<std::size_t>& kept() const { return kept_; }          ///< all others, in order
 
   /// All the memory that evaluations on the scalar T take.
   template <class T>
@@ -189,6 +190,12 @@ class SpatialSystem {
   template <class T, class Time>
   void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w,
                     std::size_t body) const {
+    apply_forces(t, memory, w, body, [](std::size_t, const SpatialJointKinematics<T>&) {});
+  }
+  /// @param correct  correct(j, kinematics) may put better eccentricities and velocities into those of joint j
+  template <class T, class Time, class Correct>
+  void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w, std::size_t body,
+                    const Correct& correct) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (has_to_do(body, b)) {
         apply_to_body(b, w);
@@ -212,8 +219,9 @@ class SpatialSystem {
         if constexpr (ScalarTraits<T>::carries_derivatives) w.joints[j] = {};  // zeros
         continue;
       }
-      w.joints[j] = joint.force(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w),
-                                memory.empty() ? no_memory : memory[j]);
+      SpatialJointKinematics<T> at = joint.kinematics(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w));
+      correct(j, at);
+      w.joints[j] = joint.force_at(at, memory.empty() ? no_memory : memory[j]);
       const SpatialWrench<T> on_bearing = w.joints[j].on_bearing();
       const SpatialWrench<T> on_journal = w.joints[j].on_journal();
       add(joint.bearing_at.body, on_bearing.force, on_bearing.moment);
@@ -239,7 +247,9 @@ class SpatialSystem {
       }
       std::visit(
           [&](const auto& constraint) {
-            constraint.evaluate(frame(sides.first, w), frame(sides.second, w), t, &w.rows[row]);
+            const SpatialFrame<T>& first = frame(sides.first, w);
+            const SpatialFrame<T>& second = frame(sides.second, w);
+            in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); });
           },
           constraints_[c].constraint);
     }
