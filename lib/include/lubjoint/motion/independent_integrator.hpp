@@ -106,11 +106,12 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     chart->t_old = step.t_old;
     chart->t_new = step.t_new;
     chart->smooth_rates = step.smooth_rates;
-    chosen_at_->see(step.y_old, step.rate_old, chart->y_old, chart->rate_old);
-    chosen_at_->see(step.y_new, step.rate_new, chart->y_new, chart->rate_new);
     // What the method has is free of the rounding of the bodies' places, which a short step would make velocities of.
     const auto take = [](const auto& x, std::vector<R>& end) { std::copy_n(x.begin(), end.size(), end.begin()); };
+    chosen_at_->see(step.y_old, step.rate_old, chart->y_old, chart->rate_old);
     if (step.y_old == start_) take(x_start_, chart->y_old);
+    chart->y_new = chart->y_old;  // near which angles are counted
+    chosen_at_->see(step.y_new, step.rate_new, chart->y_new, chart->rate_new);
     if (step.y_new == stepped_) take(x_, chart->y_new);
     step.inside = [chart, expand = chosen_at_](const R& t, State& y) {
       try {

@@ -65,11 +65,10 @@ class SpatialIndependentMotion {
     const std::size_t f = freedoms();
     system_.place(y.data(), w_);
     chart_.evaluate(w_, functions_.data());
-    x.resize(2 * f);
+    x.resize(2 * f, R(0));
     x_rate.resize(2 * f);
     for (std::size_t k = 0; k < f; ++k) {
-      seen_[k] += off(k, functions_[k].value, seen_[k]);
-      x[k] = chart_.is_turn(k) ? seen_[k] : functions_[k].value;
+      x[k] = chart_.is_turn(k) ? R(x[k] + off(k, functions_[k].value, x[k])) : functions_[k].value;
       x[f + k] = x_rate[k] = along(functions_[k], k, y.data() + places_end_);
       x_rate[f + k] = along(functions_[k], k, rate.data() + places_end_) - functions_[k].gamma;
     }
@@ -114,8 +113,7 @@ class SpatialIndependentMotion {
         work_(n_),
         column_residual_(n_),
         column_work_(n_),
-        right_(freedoms()),
-        seen_(freedoms()) {
+        right_(freedoms()) {
     const Place empty{
         {}, false, std::vector<R>(places_end_), std::vector<Columns>(n_ * groups()), std::vector<R>(freedoms())};
     places_.fill(empty);
@@ -399,7 +397,7 @@ class SpatialIndependentMotion {
   // Work, kept so that no evaluation allocates.
   std::vector<R> residual_, step_, work_;
   std::vector<Columns> column_residual_, column_work_;
-  std::vector<R> right_, inside_, seen_;
+  std::vector<R> right_, inside_;
 
  private:
   static constexpr int most_iterations = 12;

@@ -212,7 +212,8 @@ class SpatialPieces {
     const R square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
     const R size = sqrt(square);
     norm_drift_ = std::max(norm_drift_, std::abs(static_cast<double>(size - 1)));
-    if (!(abs(R(size - 1)) > (exactly ? R(2 * epsilon()) : R(norm_error_)))) return false;
+    const R rounding = 2 * epsilon();
+    if (!(abs(R(size - 1)) > (exactly ? rounding : std::max<R>(rounding, R(norm_error_))))) return false;
     for (std::size_t k = 0; k < 4; ++k) p[k] /= size;
     return true;
   }
