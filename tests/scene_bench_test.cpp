@@ -58,7 +58,7 @@ TEST_CASE("bench: a slider-crank is raced in minimal and absolute coordinates an
   }
 }
 
-TEST_CASE("bench: a slider-crank in space is raced in minimal and in absolute coordinates, by Simbody where it is") {
+TEST_CASE("bench: a slider-crank in space is raced in three kinds of coordinates, by Simbody where it is") {
   const std::string file = std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/space/spatial-slider-crank.toml";
   reports::SceneBenchSettings settings = few({1e-6});
   settings.integrators = {"radau_iia5", "simbody_cpodes"};
@@ -66,12 +66,12 @@ TEST_CASE("bench: a slider-crank in space is raced in minimal and in absolute co
   const reports::SceneBench bench = reports::bench_scenes({}, settings, {load_spatial_scene(file)});
   REQUIRE(bench.references.size() == 1);
   CHECK(bench.references[0].agreement < 1e-12);  // 1.7e-13 was measured
-  for (const char* formulation : {"minimal", "absolute"}) {
+  for (const char* formulation : {"minimal", "absolute", "independent"}) {
     const auto floor = reports::error_floor(bench.rows, {"spatial-slider-crank", formulation}, "radau_iia5");
     REQUIRE(floor.has_value());
     CHECK(*floor < 1e-4);  // a hundred times the tolerance
   }
-  CHECK(bench.rows.size() == 2 + reports::simbody_methods().size());
+  CHECK(bench.rows.size() == 3 + reports::simbody_methods().size());
   CHECK_THROWS_WITH(
       reports::bench_scenes({}, settings,
                             {load_spatial_scene(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/space/top.toml")}),

@@ -62,7 +62,8 @@ bool is_embedded(const std::vector<BenchRow>& rows, const std::string& scene) {
 }
 
 /// What coordinates and space cost the default integrator: how many times as long it takes at each of judged_errors in
-/// absolute coordinates as in minimal ones, and in space as in the plane; a dash where one of them is not there.
+/// absolute and in independent coordinates as in minimal ones, and in space as in the plane, both in independent ones;
+/// a dash where one of them is not there.
 struct FormulationCost {
   std::string scene;
   std::vector<std::string> ratios;
@@ -74,7 +75,8 @@ std::vector<FormulationCost> formulation_costs(const std::vector<BenchRow>& rows
     if (row.formulation != "minimal" || std::ranges::find(costs, row.scene, &FormulationCost::scene) != costs.end())
       continue;
     FormulationCost& cost = costs.emplace_back(FormulationCost{row.scene, {}});
-    for (const auto& [one, other] : {std::pair("absolute", "minimal"), {"embedded", "absolute"}}) {
+    for (const auto& [one, other] :
+         {std::pair("absolute", "minimal"), {"independent", "minimal"}, {"embedded", "independent"}}) {
       for (const double error : judged_errors) {
         const auto ratio = time_ratio(rows, {row.scene, one}, {row.scene, other}, std::string(own_default), error);
         cost.ratios.push_back(ratio ? brief(*ratio) : "–");
@@ -89,8 +91,8 @@ std::string formulations_table(const std::vector<BenchRow>& rows) {
   if (costs.empty()) return {};
   std::string text = fmt::format(
       "\nHow many times as long radau_iia5 takes at equal error\n"
-      "  {:<28}{:>10}{:>10}{:>10}{:>10}\n  {:<28}{:>20}{:>20}\n",
-      "", "1e-5", "1e-9", "1e-5", "1e-9", "", "absolute/minimal", "space/plane");
+      "  {:<28}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n  {:<28}{:>20}{:>20}{:>20}\n",
+      "", "1e-5", "1e-9", "1e-5", "1e-9", "1e-5", "1e-9", "", "absolute/minimal", "independent/min.", "space/plane");
   for (const FormulationCost& cost : costs) {
     text += fmt::format("  {:<28}", cost.scene);
     for (const std::string& ratio : cost.ratios) text += fmt::format("{:>10}", ratio);
@@ -105,10 +107,11 @@ std::string formulations_markdown(const std::vector<BenchRow>& rows) {
   if (std::ranges::none_of(costs, [&](const FormulationCost& cost) { return is_embedded(rows, cost.scene); }))
     return {};
   std::string text =
-      "\nHow many times as long `radau_iia5` takes at equal error in absolute coordinates as in minimal ones, and in\n"
-      "space, the plane turned anywhere, as in the plane, both in absolute coordinates:\n\n| scene |";
+      "\nHow many times as long `radau_iia5` takes at equal error in absolute and in independent coordinates as in\n"
+      "minimal ones, and in space, the plane turned anywhere, as in the plane, both in independent coordinates:\n\n| "
+      "scene |";
   std::string rule = "|---|";
-  for (const char* what : {"absolute over minimal", "space over plane"}) {
+  for (const char* what : {"absolute over minimal", "independent over minimal", "space over plane"}) {
     for (const double error : judged_errors) {
       text += fmt::format(" {}, {:.0e} |", what, error);
       rule += "---|";

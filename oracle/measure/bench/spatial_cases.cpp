@@ -7,6 +7,7 @@
 #include "lubjoint/ode/exact_jacobian.hpp"
 #include "lubjoint/ode/explicit_integrators.hpp"
 #include "lubjoint/ode/radau_integrator.hpp"
+#include "lubjoint/scene/spatial_coordinates.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "oracle/measure/bench/race.hpp"
 #include "oracle/measure/bench/simbody_space.hpp"
@@ -66,7 +67,7 @@ class SpatialMinimalProblem final : public RaceProblem<6> {
 };
 
 /// Bodies in space, their constraints kept by the accelerations.
-class SpatialProblem final : public RaceProblem<run_time_size> {
+class SpatialProblem : public RaceProblem<run_time_size> {
  public:
   /// e/c of the first joint, in a plane.
   using InPlane = std::function<Vector2<double>(const SpatialJointKinematics<double>&)>;
@@ -85,9 +86,7 @@ class SpatialProblem final : public RaceProblem<run_time_size> {
   void time_slope(const State& y, State& slope, const double& t) override { ode_.time_slope(y, slope, t); }
   State start() const override { return prepared_.start; }
   StepTolerance<double, run_time_size> tolerance(double relative) const override {
-    SpatialScene scene = scene_;
-    scene.run.relative_tolerance = scene.run.absolute_tolerance = relative;
-    return {0, scene_tolerances(scene), relative};
+    return {0, scene_tolerances(scene_at(relative)), relative};
   }
   std::vector<std::string> own_methods() const override { return methods_; }
   std::unique_ptr<Integrator<double, run_time_size>> integrator(const std::string& method, double relative) override {
@@ -120,6 +119,14 @@ class SpatialProblem final : public RaceProblem<run_time_size> {
   /// Others' solvers would be given systems of another form.
   bool is_for_others() const override { return false; }
 
+ protected:
+  SpatialScene scene_at(double relative) const {
+    SpatialScene scene = scene_;
+    scene.run.relative_tolerance = scene.run.absolute_tolerance = relative;
+    return scene;
+  }
+  SpatialOde<double>& ode() { return ode_; }
+
  private:
   SpatialJointKinematics<double> kinematics(const State& y) const {
     const SpatialJointElement<double>& joint = prepared_.system.joints().front();
@@ -138,13 +145,27 @@ class SpatialProblem final : public RaceProblem<run_time_size> {
   double norm_error_ = 0;
 };
 
-std::unique_ptr<BenchCase> absolute_case(const SpatialScene& scene, const std::vector<double>& times,
-                                         const Reference& reference) {
+/// The same bodies, stepped in the coordinates that their constraints leave free.
+class IndependentSpatialProblem final : public SpatialProblem {
+ public:
+  using SpatialProblem::SpatialProblem;
+
+  std::unique_ptr<Integrator<double, run_time_size>> integrator(const std::string& method, double relative) override {
+    const SpatialScene scene = scene_at(relative);
+    return independent_method(method, scene, ode(), scene.run, scene_tolerances(scene));
+  }
+  bool hold(State&) override { return false; }  // they are held to rounding
+};
+
+/// In absolute coordinates, or in independent ones.
+template <class Problem>
+std::unique_ptr<BenchCase> case_of(const std::string& formulation, const SpatialScene& scene,
+                                   const std::vector<double>& times, const Reference& reference) {
   const auto in_plane = [in_it = PinInPlane(scene)](const SpatialJointKinematics<double>& k) {
     return in_it(k.axis, k.in_space(k.motion.eccentricity));
   };
   const std::vector<std::string> all(method_names().begin(), method_names().end());
-  return std::make_unique<RaceCase<run_time_size>>("absolute", std::make_unique<SpatialProblem>(scene, in_plane, all),
+  return std::make_unique<RaceCase<run_time_size>>(formulation, std::make_unique<Problem>(scene, in_plane, all),
                                                    scene.run.duration, times, reference);
 }
 
@@ -161,7 +182,7 @@ std::unique_ptr<BenchCase> embedded_case(const Scene& flat, const std::vector<do
     return Vector2<double>(e.x() / c, e.y() / c);
   };
   return std::make_unique<RaceCase<run_time_size>>(
-      "embedded", std::make_unique<SpatialProblem>(scene, in_plane, std::vector<std::string>{"radau_iia5"}),
+      "embedded", std::make_unique<IndependentSpatialProblem>(scene, in_plane, std::vector<std::string>{"radau_iia5"}),
       scene.run.duration, times, reference);
 }
 
@@ -172,7 +193,8 @@ BenchScene bench_scene(const SpatialScene& scene) {
   result.reference_agreement = reference.agreement;
   result.cases.push_back(std::make_unique<RaceCase<6>>("minimal", std::make_unique<SpatialMinimalProblem>(scene),
                                                        scene.run.duration, reference.times, reference.seen));
-  result.cases.push_back(absolute_case(scene, reference.times, reference.seen));
+  result.cases.push_back(case_of<SpatialProblem>("absolute", scene, reference.times, reference.seen));
+  result.cases.push_back(case_of<IndependentSpatialProblem>("independent", scene, reference.times, reference.seen));
   if (auto simbody = simbody_spatial_case(scene, reference.times, reference.seen))
     result.cases.push_back(std::move(simbody));
   return result;
