@@ -102,6 +102,7 @@ TEST_CASE("scene reference: its tables of scenes in space have the keys that the
         both(asked_for(file, {"read_spatial_body", "read_inertia"}), asked_for(parts, {"read_orientation"})));
   CHECK(documented("In space: `[[loads]]`") == asked_for(file, {"read_spatial_load", "read_spatial_harmonic"}));
   CHECK(documented("In space: `[[springs]]`") == asked_for(file, {"read_spatial_spring"}));
+  CHECK(documented("In space: `[[sensors]]`") == asked_for(file, {"read_spatial_sensor"}));
   CHECK(documented("In space: `[[joints]]`") ==
         both(asked_for(file, {"read_spatial_joint"}), asked_for(parts, {"read_side"})));
   CHECK(documented("In space: `[[constraints]]`") ==

@@ -1,9 +1,11 @@
 #include "lubjoint/scene/spatial_scene_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
+#include "lubjoint/text/nearest_name.hpp"
 #include "scene_changes.hpp"
 #include "scene_parts.hpp"
 #include "spatial_constraints.hpp"
@@ -111,9 +113,39 @@ SpatialSpring<double> read_spatial_spring(TableReader table, const SpatialScene&
   return spring;
 }
 
-/// What scenes in the plane have, and scenes in space have not.
-void refuse_planar_keys(const TableReader& root) {
-  if (root.has("sensors")) root.refuse("sensors", "given in a scene in space", "none: sensors are for the plane");
+constexpr std::array<std::string_view, 4> sensor_types = {"reaction", "point", "distance", "spring"};
+
+/// Of a scene whose bodies, joints, constraints and springs are known.
+SpatialSensor read_spatial_sensor(TableReader table, const SpatialScene& scene) {
+  SpatialSensor sensor;
+  sensor.name = table.name("name");
+  const bool of_joint = std::any_of(scene.joints.begin(), scene.joints.end(),
+                                    [&](const auto& joint) { return joint.plane.name == sensor.name; });
+  if (of_joint || is_taken(scene.bodies, sensor.name) || is_taken(scene.constraints, sensor.name) ||
+      is_taken(scene.sensors, sensor.name)) {
+    table.refuse("name", in_quotes(sensor.name), "a name that no body, joint, constraint or other sensor has");
+  }
+  const std::string type = table.text("type");
+  if (type == "reaction") {
+    sensor.of =
+        ReactionSensor{find_named(table, "constraint", table.text("constraint"), scene.constraints, "constraint")};
+  } else if (type == "point") {
+    const std::size_t body = read_body_name(table, "body", body_names(scene), false);
+    sensor.of = SpatialPointSensor{{body, table.vector3_or("point", {0, 0, 0}, "m")}};
+  } else if (type == "distance") {
+    const SpatialDistanceSensor distance{read_spatial_point(table.table("first"), scene),
+                                         read_spatial_point(table.table("second"), scene)};
+    if (distance.first.body == distance.second.body) {
+      table.refuse("second", "on the same body as first", "another body: that distance never changes");
+    }
+    sensor.of = distance;
+  } else if (type == "spring") {
+    sensor.of = SpringSensor{find_named(table, "spring", table.text("spring"), scene.springs, "spring")};
+  } else {
+    table.refuse("type", in_quotes(type), one_of(sensor_types, type));
+  }
+  table.finish();
+  return sensor;
 }
 
 SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
@@ -122,7 +154,6 @@ SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
   if (root.number("dimension", Allowed::positive, "-") != 3) {
     root.refuse("dimension", with_unit(root.number("dimension", Allowed::positive, "-"), ""), "3 in a scene in space");
   }
-  refuse_planar_keys(root);
   scene.name = root.name("name");
   scene.gravity = root.vector3_or("gravity", scene.gravity, "m/s^2");
   scene.run.duration = read_duration(root);
@@ -136,6 +167,7 @@ SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
     scene.constraints.push_back(read_spatial_constraint(table, scene));
   }
   for (const TableReader& table : root.tables("springs")) scene.springs.push_back(read_spatial_spring(table, scene));
+  for (const TableReader& table : root.tables("sensors")) scene.sensors.push_back(read_spatial_sensor(table, scene));
   if (!root.has("joints") && !root.has("constraints")) {  // a file cut off there would run as free flight
     root.refuse("joints", "missing, and so is constraints",
                 "at least one [[joints]] or [[constraints]] table, or joints = [] for bodies that fly freely");

@@ -33,8 +33,9 @@ detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const Prep
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances(pilot_scene);
   SpatialOde<double> ode(prepared.system, false);
+  const std::vector<SpatialSensor> unmeasured;
   SpatialRun<double> pilot(ode, pilot_scene.run, method_of("radau_iia5", pilot_scene.run, tolerances, 0),
-                           upkeep_of(scene), resolution_of(pilot_scene));
+                           upkeep_of(scene), resolution_of(pilot_scene), unmeasured);
   return detail::measure_by_pilot(pilot, ode, prepared.start, pilot_scene.run, tolerances, scene.joints.empty());
 }
 
@@ -56,7 +57,7 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
                          coordinates.independent ? independent_method(choice.name, scene, ode, scene.run, tolerances)
                                                  : method_of(choice.name, scene.run, tolerances, integrals),
                          coordinates.independent ? ConstraintUpkeep::by_accelerations : upkeep_of(scene),
-                         resolution_of(scene));
+                         resolution_of(scene), scene.sensors);
   result.outcome = run.run(prepared.start);
   const auto end = std::chrono::steady_clock::now();
   result.wall_seconds = std::chrono::duration<double>(end - begin).count();
@@ -81,6 +82,7 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   result.joints = recorder.joint_extremes();
   result.drivers = recorder.driver_extremes();
   result.reactions = recorder.reaction_extremes();
+  result.sensors = recorder.sensor_extremes();
   result.events = run.events();
   result.drift = run.drift();
   if (scene.energy_ledger) result.energy_residual = recorder.energy_residual();

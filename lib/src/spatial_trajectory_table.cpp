@@ -32,6 +32,9 @@ TrajectoryTable trajectory_table(const SpatialScene& scene, const SpatialTraject
       table.columns.push_back(std::string("work.") + ledger_names[i]);
     }
   }
+  for (const SpatialSensor& sensor : scene.sensors) {
+    for (const char* quantity : sensor_quantities(sensor)) table.columns.push_back(sensor.name + "." + quantity);
+  }
   const std::size_t bodies = scene.bodies.size();
   table.rows.reserve(run.samples.size());
   for (const SpatialSample& s : run.samples) {
@@ -53,6 +56,7 @@ TrajectoryTable trajectory_table(const SpatialScene& scene, const SpatialTraject
     }
     row.insert(row.end(), s.driving_efforts.begin(), s.driving_efforts.end());
     row.insert(row.end(), s.ledger.begin(), s.ledger.end());
+    row.insert(row.end(), s.sensors.begin(), s.sensors.end());
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -11,6 +11,7 @@
 #include "oracle/results/motion_words.hpp"
 #include "oracle/results/outcome_words.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/sensor_report.hpp"
 #include "oracle/results/squeeze_reynolds.hpp"
 
 namespace lubjoint::reports {
@@ -48,19 +49,6 @@ nlohmann::ordered_json rebound_json(const SceneJoint& joint) {
   return contact_json(joint, joint.contact ? rebound_ratio(joint.contact->restitution) : 0);
 }
 
-nlohmann::ordered_json sensors_json(const Scene& scene, const MultibodyTrajectory& run) {
-  nlohmann::ordered_json sensors = nlohmann::ordered_json::array();
-  std::size_t k = 0;
-  for (const Sensor& sensor : scene.sensors) {
-    sensors.push_back({{"name", sensor.name}});
-    for (const char* quantity : sensor_quantities(sensor)) {
-      const SensorExtremes& e = run.sensors[k++];
-      sensors.back()[quantity] = {{"max", e.max.value}, {"t_max", e.max.t}, {"min", e.min.value}, {"t_min", e.min.t}};
-    }
-  }
-  return sensors;
-}
-
 nlohmann::ordered_json passed_json(const MultibodyTrajectory& run) {
   nlohmann::ordered_json passed = nlohmann::ordered_json::array();
   for (const PassedPosition& each : run.passed) passed.push_back({{"t", each.t}, {"constraint", each.constraint}});
@@ -72,20 +60,6 @@ std::string reactions_text(const Scene& scene, const MultibodyTrajectory& run) {
   std::string text;
   for (const ReactionExtremes& reaction : run.reactions) {
     text += fmt::format("reaction     {}: {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
-  }
-  return text;
-}
-
-std::string sensors_text(const Scene& scene, const MultibodyTrajectory& run) {
-  std::string text;
-  std::size_t k = 0;
-  for (const Sensor& sensor : scene.sensors) {
-    text += fmt::format("sensor       {}\n", sensor.name);
-    for (const char* quantity : sensor_quantities(sensor)) {
-      const SensorExtremes& e = run.sensors[k++];
-      text += fmt::format("  {:<10} from {:.6g} at {:.6g} s to {:.6g} at {:.6g} s\n", quantity, e.min.value, e.min.t,
-                          e.max.value, e.max.t);
-    }
   }
   return text;
 }
@@ -182,7 +156,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
   summary["driver"] = driver;
   summary["drivers"] = drivers;
   summary["reactions"] = reactions;
-  if (!scene.sensors.empty()) summary["sensors"] = sensors_json(scene, run);
+  if (!scene.sensors.empty()) summary["sensors"] = sensors_json(scene.sensors, run.sensors);
   summary["energy_residual"] = residual;
   summary["energy_scale"] = run.energy_scale;
   summary["constraint_drift"] = {{"position", run.drift.position}, {"velocity", run.drift.velocity}};
@@ -222,7 +196,7 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
     const SceneDriver driver = scene_drivers(scene)[d];
     text += fmt::format("driver       {}: {}\n", driver.name, driver_words(driver, run.drivers[d]));
   }
-  text += reactions_text(scene, run) + sensors_text(scene, run);
+  text += reactions_text(scene, run) + sensors_text(scene.sensors, run.sensors);
   for (const PassedPosition& each : run.passed) {
     text += fmt::format("singular     passed at {:.6g} s, where \"{}\" repeats what other constraints fix\n", each.t,
                         each.constraint);

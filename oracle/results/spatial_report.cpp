@@ -11,6 +11,7 @@
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/outcome_words.hpp"
 #include "oracle/results/scene_warnings.hpp"
+#include "oracle/results/sensor_report.hpp"
 
 namespace lubjoint::reports {
 
@@ -130,6 +131,7 @@ nlohmann::ordered_json summary_json(const SpatialScene& scene, const SpatialTraj
   summary["joints"] = joints;
   summary["drivers"] = drivers;
   summary["reactions"] = reactions;
+  if (!scene.sensors.empty()) summary["sensors"] = sensors_json(scene.sensors, run.sensors);
   summary["energy_residual"] = residual;
   summary["energy_scale"] = run.energy_scale;
   summary["constraint_rows"] = {{"all", run.rows}, {"rank", run.rank}, {"left_out", run.left_out}};
@@ -176,6 +178,7 @@ std::string summary_text(const SpatialScene& scene, const SpatialTrajectory& run
   for (const ReactionExtremes& reaction : run.reactions) {
     text += fmt::format("reaction     {}: {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
   }
+  text += sensors_text(scene.sensors, run.sensors);
   if (!scene.constraints.empty()) {
     text += fmt::format(
         "constraints  {} rows of rank {}, drift {:.1e} m or rad, {:.1e} per second, Euler parameters {:.1e}; start "

@@ -10,6 +10,7 @@
 #include "lubjoint/motion/multibody_recorder.hpp"
 #include "lubjoint/motion/spatial_interpolant.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
+#include "lubjoint/motion/spatial_sensor_values.hpp"
 #include "lubjoint/run/output_times.hpp"
 #include "lubjoint/run/step_looks.hpp"
 
@@ -21,9 +22,10 @@ class SpatialRecorder {
  public:
   /// @param pieces  into so many a step is divided in the search for its extremes
   /// @param resolution  below which a quantity is the run's own error: its peaks are not searched, and count as 0
+  /// @param sensors  what is measured beside bodies, joints and constraints; kept by reference
   SpatialRecorder(SpatialOde<R>& ode, const RunSettings& settings, std::size_t pieces,
-                  const SpatialResolution& resolution)
-      : ode_(ode), outputs_(settings), resolution_(resolution) {
+                  const SpatialResolution& resolution, const std::vector<SpatialSensor>& sensors)
+      : ode_(ode), outputs_(settings), resolution_(resolution), sensors_(sensors) {
     const auto& constraints = ode.system().constraints();
     for (std::size_t c = 0; c < constraints.size(); ++c) {
       if (constraints[c].is_driver()) {
@@ -35,7 +37,9 @@ class SpatialRecorder {
     }
     first_driver_ = of_joint * ode.system().joints().size();
     first_reaction_ = first_driver_ + 2 * drivers_.size();
-    looks_ = StepLooks<R>(first_reaction_ + reactions_.size(), pieces);
+    first_sensor_ = first_reaction_ + reactions_.size();
+    for (const SpatialSensor& sensor : sensors_) sensor_values_ += sensor_quantities(sensor).size();
+    looks_ = StepLooks<R>(first_sensor_ + 2 * sensor_values_, pieces);
   }
 
   /// The first sample.
@@ -64,12 +68,13 @@ class SpatialRecorder {
             inside(*step, t, state_);
           }
           const SpatialWorkspace<R>& w = ode_.at(t, state_, step->memory);
-          for (std::size_t k = 0; k < first_reaction_ + reactions_.size(); ++k) put(k, quantity(k, w));
+          if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
+          for (std::size_t k = 0; k < first_sensor_ + 2 * sensor_values_; ++k) put(k, quantity(k, w, measured_));
           if (t == step->t_new) note_drift(w, step->y_new);
         },
         [&](std::size_t k, const R& t) {
           inside(*step, t, state_);
-          return quantity(k, ode_.at(t, state_, step->memory));
+          return exactly(k, ode_.at(t, state_, step->memory));
         },
         [&](std::size_t k, const R& t) { return by(by_method, *step, t, k); });
   }
@@ -104,6 +109,12 @@ class SpatialRecorder {
         reaction_extremes_.push_back({reaction.constraint, largest, std::nullopt});
       }
     }
+    for (std::size_t s = 0; s < sensor_values_; ++s) {
+      const Peak high = next();
+      Peak low = next();
+      low.value = -low.value;
+      sensor_extremes_.push_back({high, low});
+    }
   }
 
   const std::vector<SpatialSample>& samples() const { return samples_; }  ///< in order
@@ -122,6 +133,8 @@ class SpatialRecorder {
   const std::vector<DriverExtremes>& driver_extremes() const { return driver_extremes_; }
   /// Of the constraints that are no drivers, in order; after finish.
   const std::vector<ReactionExtremes>& reaction_extremes() const { return reaction_extremes_; }
+  /// Of the sensors' values, in order; after finish.
+  const std::vector<SensorExtremes>& sensor_extremes() const { return sensor_extremes_; }
 
  private:
   static constexpr std::size_t of_joint = 5;  ///< quantities of a joint
@@ -160,9 +173,13 @@ class SpatialRecorder {
   static double length(const Vector2<R>& v) { return static_cast<double>(v.norm()); }
 
   /// What number k of the peaks is of: of each joint |e|, |F|, ψ, |σ| and the edge's share; then the effort of each
-  /// driver and its opposite, then the reactions.
-  double quantity(std::size_t k, const SpatialWorkspace<R>& w) const {
+  /// driver and its opposite, then the reactions, then each value of the sensors and its opposite.
+  double quantity(std::size_t k, const SpatialWorkspace<R>& w, const std::vector<double>& measured) const {
     using std::abs;
+    if (k >= first_sensor_) {
+      const double value = measured[(k - first_sensor_) / 2];
+      return (k - first_sensor_) % 2 == 0 ? value : -value;
+    }
     if (k >= first_reaction_) {
       const Reaction& reaction = reactions_[k - first_reaction_];
       const SpatialReaction<R> at = ode_.system().reaction_at_joint(reaction.constraint, w);
@@ -201,7 +218,13 @@ class SpatialRecorder {
       exact_t_ = t;
       exact_from_ = step.t_old;
     }
-    return quantity(k, ode_.at(t, exact_, step.memory));
+    return exactly(k, ode_.at(t, exact_, step.memory));
+  }
+
+  /// The same, of a state that is not one of a step's pieces.
+  double exactly(std::size_t k, const SpatialWorkspace<R>& w) {
+    if (k >= first_sensor_) read_sensors(sensors_, ode_.system(), w, exactly_measured_);
+    return quantity(k, w, exactly_measured_);
   }
 
   /// @param at  whose Euler parameters may be off by a share of the tolerance: a sample's are not
@@ -228,6 +251,7 @@ class SpatialRecorder {
                                narrow(force.kinematics.sliding), in_plane.losses});
     }
     for (const std::size_t c : drivers_) sample.driving_efforts.push_back(narrow(ode_.system().driving_effort(c, w)));
+    if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, sample.sensors);
     if (ode_.with_ledger()) {
       const MechanicalEnergy<R> energy = ode_.energy(y);
       sample.ledger = {narrow(energy.kinetic), narrow(energy.potential)};
@@ -257,11 +281,15 @@ class SpatialRecorder {
   StepLooks<R> looks_{0, 1};
   std::vector<std::size_t> drivers_;
   std::vector<Reaction> reactions_;
-  std::size_t first_driver_ = 0, first_reaction_ = 0;  ///< their numbers among the peaks
+  const std::vector<SpatialSensor>& sensors_;
+  std::size_t first_driver_ = 0, first_reaction_ = 0, first_sensor_ = 0;  ///< their numbers among the peaks
+  std::size_t sensor_values_ = 0;                                         ///< of all sensors together
   std::vector<SpatialSample> samples_;
   std::vector<SpatialJointExtremes> joint_extremes_;
   std::vector<DriverExtremes> driver_extremes_;
   std::vector<ReactionExtremes> reaction_extremes_;
+  std::vector<SensorExtremes> sensor_extremes_;
+  std::vector<double> measured_, exactly_measured_;
   SpatialDrift drift_;
   EnergyBalance<R> balance_;
   std::vector<R> state_, exact_;

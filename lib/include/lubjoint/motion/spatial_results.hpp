@@ -24,6 +24,7 @@ struct SpatialSample {
   std::vector<SpatialJointSample> joints;  ///< in the scene's order
   std::vector<double> driving_efforts;     ///< of each driver on its second body [N m or N]
   std::vector<double> ledger;              ///< kinetic, potential, then the work of each term; empty if not asked for
+  std::vector<double> sensors;             ///< every value of every sensor, in the scene's order
 };
 
 /// By what a run in space tells what is there from its own errors.

@@ -24,14 +24,15 @@ class SpatialRun {
 
   /// @param method  with the tolerance of every state in its own unit
   /// @param resolution  by which the run's errors are told from what is there
+  /// @param sensors  what is measured beside bodies, joints and constraints; kept by reference
   SpatialRun(SpatialOde<R>& ode, const RunSettings& settings, std::unique_ptr<Method> method, ConstraintUpkeep upkeep,
-             const SpatialResolution& resolution)
+             const SpatialResolution& resolution, const std::vector<SpatialSensor>& sensors)
       : ode_(ode),
         settings_(settings),
         method_(std::move(method)),
         pieces_(ode, upkeep, resolution.angle / 20),
         engine_(pieces_, *method_, settings_, outcome_, guard_),
-        recorder_(ode, settings, method_->looks_inside(), resolution) {}
+        recorder_(ode, settings, method_->looks_inside(), resolution, sensors) {}
 
   /// The parts of a run refer to each other.
   SpatialRun(const SpatialRun&) = delete;

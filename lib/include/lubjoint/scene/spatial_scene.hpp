@@ -6,6 +6,7 @@
 
 #include "lubjoint/motion/spatial_ode.hpp"
 #include "lubjoint/multibody/spatial/assembly.hpp"
+#include "lubjoint/multibody/spatial/sensor.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 
 namespace lubjoint {
@@ -62,6 +63,7 @@ struct SpatialScene {
   std::vector<SpatialSceneJoint> joints;                       ///< with clearance
   std::vector<SpatialSceneConstraint> constraints;             ///< ideal joints and drivers
   std::vector<SpatialSpring<double>> springs;                  ///< with dampers
+  std::vector<SpatialSensor> sensors;                          ///< what is measured beside bodies and joints
   SceneStabilisation stabilisation;                            ///< how the constraints are kept in absolute coordinates
   SceneCoordinates coordinates = SceneCoordinates::automatic;  ///< that a mechanism is integrated in
   RedundantConstraints redundant = RedundantConstraints::refuse;  ///< what is done about rows that others imply

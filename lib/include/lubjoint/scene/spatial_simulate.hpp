@@ -20,6 +20,7 @@ struct SpatialTrajectory {
   std::vector<bool> driver_turns;            ///< is it a moment, and not a force?
   std::vector<DriverExtremes> drivers;       ///< their moments or forces, in the same order
   std::vector<ReactionExtremes> reactions;   ///< of the constraints that are no drivers, in the scene's order
+  std::vector<SensorExtremes> sensors;       ///< of every value of every sensor, in the scene's order
   std::vector<ContactEvent> events;          ///< when a journal met or left its wall
   SpatialDrift drift;                        ///< how far constraints and Euler parameters were off
   std::optional<double> energy_residual;     ///< largest |E − E₀ − work| at the end of a step [J]
@@ -45,7 +46,7 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene);
 
 /// A run's samples: t; x, y, z, e0 … e3, vx, vy, vz, wx, wy, wz of all bodies (w in the body's axes); ex, ey, ez,
 /// eccentricity_ratio, tilt, sliding, fx, fy, fz, film_thickness of all joints, and losses where they have a shear;
-/// NAME.moment or NAME.force of the drivers, and the ledger's energies and works.
+/// NAME.moment or NAME.force of the drivers, the ledger's energies and works, and the sensors' quantities.
 TrajectoryTable trajectory_table(const SpatialScene& scene, const SpatialTrajectory& run);
 
 }  // namespace lubjoint
