@@ -44,7 +44,7 @@ TEST_CASE("sensors in space: of a mechanism that is turned anywhere they show th
                   {"reach", DistanceSensor{{rod, {0.01, 0.02}}, {slider, {0.003, 0.0}}}}};
   const reports::Plane plane = some_plane(5);
   SpatialScene scene = reports::Embedding(plane).scene(flat);
-  scene.redundant = RedundantConstraints::allow;
+  allow_what_is_redundant(scene);
   REQUIRE(scene.constraints[pin].name == "crank-pin");
   scene.sensors = {{"pin", ReactionSensor{pin}},
                    {"mark", SpatialPointSensor{{rod, {0.05, -0.01, 0}}}},

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "lubjoint/multibody/chart_parts.hpp"
+#include "lubjoint/multibody/function_choice.hpp"
 #include "lubjoint/multibody/planar_system.hpp"
 
 namespace lubjoint {
@@ -131,60 +131,24 @@ class CoordinateChart {
     return row;
   }
 
-  /// Those whose derivatives along the free directions are largest, one after the other, each without what the earlier
-  /// ones have of it; eccentricities first.
+  /// Eccentricities first, then coordinates.
   bool choose_functions(const R* y, const SystemWorkspace<R>& w) {
     using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
-    using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
     const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-    const Eigen::Index n = index(n_);
-    Matrix phi = Matrix::Zero(index(m_), n);
-    for (std::size_t i = 0; i < m_; ++i) {
-      for_each_side(
-          w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i),
-          [&](std::size_t column, const R& value) { phi(index(i), index(column)) += value * units_[column]; });
-      const R size = phi.row(index(i)).norm();
-      if (!(size > 0)) return false;
-      phi.row(index(i)) /= size;
-    }
-    Matrix free = Matrix::Identity(n, n);
-    if (m_ > 0) {  // an orthonormal basis of what Φq leaves free
-      Eigen::ColPivHouseholderQR<Matrix> qr(phi.transpose());
-      qr.setThreshold(R(1e-9));  // as in the rank of a start's constraints
-      if (qr.rank() < index(m_)) return false;
-      free = Matrix(qr.householderQ() * Matrix::Identity(n, n)).rightCols(n - index(m_));
-    }
-    std::vector<Vector> shadows(candidates_.size());
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      Vector row = Vector::Zero(n);
-      for_each_side(row_of(c, y, w), candidates_[c].first, candidates_[c].second,
-                    [&](std::size_t column, const R& value) { row(index(column)) += value * units_[column]; });
-      const R size = row.norm();
-      shadows[c] = free.transpose() * row / (size > 0 ? size : R(1));
-    }
-    chosen_.clear();
-    for (const bool of_joints : {true, false}) {
-      const std::size_t begin = of_joints ? 0 : 2 * pins_.size();
-      const std::size_t end = of_joints ? 2 * pins_.size() : candidates_.size();
-      while (chosen_.size() < freedoms()) {
-        std::size_t largest = end;
-        R size(0);
-        for (std::size_t c = begin; c < end; ++c) {
-          if (const R left = shadows[c].norm(); left > size) {
-            size = left;
-            largest = c;
-          }
-        }
-        // An eccentricity that others almost fix is left to a coordinate; a coordinate is taken as it comes.
-        if (largest == end || !(size > R(of_joints ? 0.02 : 1e-6))) break;
-        chosen_.push_back(largest);
-        const Vector direction = shadows[largest] / size;
-        for (Vector& each : shadows) each -= direction.dot(each) * direction;
-      }
-    }
-    if (chosen_.size() < freedoms()) return false;
-    std::sort(chosen_.begin(), chosen_.end());
-    return true;
+    const auto put = [&](Matrix& to, std::size_t i) {
+      return [&to, i, index, this](std::size_t column, const R& value) {
+        to(index(i), index(column)) += value * units_[column];
+      };
+    };
+    Matrix constraints = Matrix::Zero(index(m_), index(n_));
+    for (std::size_t i = 0; i < m_; ++i)
+      for_each_side(w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i), put(constraints, i));
+    Matrix functions = Matrix::Zero(index(candidates_.size()), index(n_));
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      for_each_side(row_of(c, y, w), candidates_[c].first, candidates_[c].second, put(functions, c));
+    chosen_ = independent_functions<R>(std::move(constraints), std::move(functions), 2 * pins_.size(),
+                                       [](std::size_t) { return R(1); });
+    return chosen_.size() == freedoms();
   }
 
   std::vector<ConstraintRow<R>> all_rows(const R* y, const SystemWorkspace<R>& w) const {

@@ -1,7 +1,6 @@
 /// Functions of places in space that the constraints leave free, and how all velocities follow from theirs.
 #pragma once
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lubjoint/multibody/function_choice.hpp"
 #include "lubjoint/multibody/listed_lu.hpp"
 #include "lubjoint/multibody/spatial/chart_functions.hpp"
 #include "lubjoint/multibody/spatial/system.hpp"
@@ -238,62 +238,23 @@ class SpatialCoordinateChart {
     return R(c.part > 3 && !is_zero(w.frames[c.first].body_spin) ? 0.25 : 1);
   }
 
-  /// Those whose derivatives along the free directions are largest, one after the other, each without what the earlier
-  /// ones have of it; eccentricities first.
+  /// Eccentricities first, then positions and turns.
   bool choose_functions(const SpatialWorkspace<R>& w) {
     using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
-    using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
     start_turns(w);
-    const Eigen::Index n = index(n_);
-    Matrix phi = Matrix::Zero(index(m_), n);
-    for (std::size_t i = 0; i < m_; ++i) {
-      for_each_side(
-          w.rows[system_->kept()[i]], sides_[i].first, sides_[i].second,
-          [&](std::size_t column, const R& value) { phi(index(i), index(column)) += value * units_[column]; });
-      const R size = phi.row(index(i)).norm();
-      if (!(size > 0)) return false;
-      phi.row(index(i)) /= size;
-    }
-    Matrix free = Matrix::Identity(n, n);
-    if (m_ > 0) {  // an orthonormal basis of what Φ_v leaves free
-      Eigen::ColPivHouseholderQR<Matrix> qr(phi.transpose());
-      qr.setThreshold(R(1e-9));  // as in the rank of a start's constraints
-      if (qr.rank() < index(m_)) return false;
-      free = Matrix(qr.householderQ() * Matrix::Identity(n, n)).rightCols(n - index(m_));
-    }
-    std::vector<Vector> shadows(candidates_.size());
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      Vector row = Vector::Zero(n);
-      for_each_side(row_of(c, w), candidates_[c].first, candidates_[c].second,
-                    [&](std::size_t column, const R& value) { row(index(column)) += value * units_[column]; });
-      const R size = row.norm();
-      shadows[c] = free.transpose() * row / (size > 0 ? size : R(1));
-    }
-    chosen_.clear();
-    for (const bool of_a_joint : {true, false}) {
-      const std::size_t begin = of_a_joint ? 0 : of_joints();
-      const std::size_t end = of_a_joint ? of_joints() : candidates_.size();
-      while (chosen_.size() < freedoms()) {
-        std::size_t largest = end;
-        R size(0);
-        for (std::size_t c = begin; c < end; ++c) {
-          const R left = shadows[c].norm() * (of_a_joint ? R(1) : lasting(candidates_[c], w));
-          if (!(left > size)) continue;
-          size = left;
-          largest = c;
-        }
-        // An eccentricity that others almost fix is left to a coordinate; a coordinate is taken as it comes.
-        if (largest == end || !(size > R(of_a_joint ? 0.02 : 1e-6))) break;
-        chosen_.push_back(largest);
-        const Vector direction = shadows[largest].normalized();
-        for (Vector& each : shadows) each -= direction.dot(each) * direction;
-      }
-    }
-    if (chosen_.size() < freedoms()) {
-      chosen_.clear();
-      return false;
-    }
-    std::sort(chosen_.begin(), chosen_.end());
+    const auto put = [&](Matrix& to, std::size_t i) {
+      return
+          [&to, i, this](std::size_t column, const R& value) { to(index(i), index(column)) += value * units_[column]; };
+    };
+    Matrix constraints = Matrix::Zero(index(m_), index(n_));
+    for (std::size_t i = 0; i < m_; ++i)
+      for_each_side(w.rows[system_->kept()[i]], sides_[i].first, sides_[i].second, put(constraints, i));
+    Matrix functions = Matrix::Zero(index(candidates_.size()), index(n_));
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      for_each_side(row_of(c, w), candidates_[c].first, candidates_[c].second, put(functions, c));
+    chosen_ = independent_functions<R>(std::move(constraints), std::move(functions), of_joints(),
+                                       [&](std::size_t c) { return lasting(candidates_[c], w); });
+    if (chosen_.size() < freedoms()) return false;
     ++choices_;
     sides_.resize(m_);
     numbers_of_chosen_.clear();
