@@ -71,10 +71,11 @@ TEST_CASE("sensors in space: of a mechanism that is turned anywhere they show th
     CHECK(std::abs(place.y() - flat_value("mark.y")) < 1e-12);  // likewise
     CHECK(std::abs(place.z()) < 1e-12);                         // likewise
     const Vector3<double> velocity = in_plane(vector_of(three, row, "mark", {"vx", "vy", "vz"}));
-    CHECK(std::abs(velocity.x() - flat_value("mark.vx")) < 1e-9);  // times a rate of 1e3
-    CHECK(std::abs(velocity.y() - flat_value("mark.vy")) < 1e-9);  // likewise
+    CHECK(std::abs(velocity.x() - flat_value("mark.vx")) < 1e-8);  // places times 1e4/s, at which films answer and more
+    CHECK(std::abs(velocity.y() - flat_value("mark.vy")) < 1e-8);  // likewise
     CHECK(std::abs(three.rows[row][column(three, "reach.distance")].value() - flat_value("reach.distance")) < 1e-12);
-    CHECK(std::abs(three.rows[row][column(three, "reach.rate")].value() - flat_value("reach.rate")) < 1e-9);
+    CHECK(std::abs(three.rows[row][column(three, "reach.rate")].value() - flat_value("reach.rate")) <
+          1e-8);  // likewise
   }
   // Peaks are at least those of the samples, and no higher than the motion between them allows.
   REQUIRE(run.sensors.size() == 6 + 6 + 2);
