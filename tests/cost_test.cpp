@@ -114,12 +114,15 @@ TEST_CASE(
   CHECK(cost["force_terms"] ==
         Json{{"films", {{"pinkus_sternlicht", 1}}}, {"contacts", 0}, {"loads", 0}, {"weights", 3}});
   CHECK(cost["jacobian"]["passes"] == 3);
-  CHECK(cost["runs_in"] == "absolute");
+  CHECK(cost["runs_in"] == "independent");
+  CHECK(cost["runs_in_reason"] == "3 degrees of freedom in 18 coordinates");
+  CHECK(cost["independent_coordinates"].size() == 2);
   CHECK(features(cost["in_use"]) == Words{"energy ledger", "Baumgarte's terms"});
   CHECK(features(cost["left_out"]) == Words{"shear", "contact"});
   check_times(cost);
   const Json top = cost_of(scenes + "space/top.toml");
   CHECK(top["multipliers"] == 3);
+  CHECK(top["runs_in"] == "absolute");                  // the scene asks for a stabilisation
   CHECK(top["constraint_jacobian_nonzeros"] == 3 + 6);  // the ball is on the third axis: two arms a row
   check_times(top);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -147,5 +148,29 @@ inline std::size_t nonzeros(const Eigen::MatrixXd& matrix) {
 /// plane.
 /// @param y  (q, q̇) of the plane
 void add_space(const Scene& scene, const std::vector<double>& y, SceneCost& cost, Measurement& measurement);
+
+/// What a right-hand side and its Jacobian cost in independent coordinates: between two states that are a step apart in
+/// the first coordinate, such as a millionth of a clearance, as a late Newton iteration asks for it.
+template <class Small>
+void add_independent_pieces(const std::shared_ptr<Small>& small, const std::vector<double>& state, double step,
+                            SceneCost& cost, Measurement& measurement) {
+  const auto states = std::make_shared<std::array<std::vector<double>, 2>>();
+  (*states)[0] = (*states)[1] = state;
+  (*states)[1][0] += step;
+  const auto rate = std::make_shared<std::vector<double>>(state.size());
+  measurement.add(repeated([small, states, rate, turn = std::size_t(0)]() mutable {
+                    small->rate((*states)[turn = 1 - turn], *rate, 0.0);
+                  }),
+                  [&cost](double time, double ratio) {
+                    cost.independent.push_back({"right-hand side in independent coordinates", time, ratio});
+                  });
+  const auto jacobian = std::make_shared<Eigen::MatrixXd>();
+  measurement.add(repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
+                    small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
+                  }),
+                  [&cost](double time, double ratio) {
+                    cost.independent.push_back({"its exact Jacobian in them", time, ratio});
+                  });
+}
 
 }  // namespace lubjoint::reports

@@ -179,8 +179,7 @@ void add_variants(const Scene& scene, SceneCost& cost, Measurement& measurement)
   add("Baumgarte's terms", has_baumgarte(scene), "constraints kept by the accelerations", with_upkeep_changed(scene));
 }
 
-/// The coordinates that the scene runs in, and what a right-hand side costs in independent ones: between two states a
-/// millionth of a clearance apart, as a late Newton iteration asks for it.
+/// The coordinates that the scene runs in, and what a right-hand side costs in independent ones.
 void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost& cost, Measurement& measurement) {
   const CoordinatesChoice choice = choose_coordinates(scene, equations.system);
   cost.runs_in = choice.independent ? "independent" : "absolute";
@@ -196,29 +195,14 @@ void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost&
     sizes.push_back(i % 3 == 2 ? units.angle : units.length);
   const auto small = std::make_shared<Small>(equations.ode, sizes);
   small->choose(0.0, start);
-  const auto states = std::make_shared<std::array<std::vector<double>, 2>>();
-  small->take(start, (*states)[0]);
+  std::vector<double> state;
+  small->take(start, state);
   for (std::size_t i = 0; i < 2 * small->freedoms(); ++i) {
     const std::size_t k = i % small->freedoms();
     const double size = small->chart().is_of_joint(k) ? units.length : sizes[small->chart().coordinate_of(k)];
-    (*states)[0][i] += 0.2 * size * (i < small->freedoms() ? 1.0 : units.rate);
+    state[i] += 0.2 * size * (i < small->freedoms() ? 1.0 : units.rate);
   }
-  (*states)[1] = (*states)[0];
-  (*states)[1][0] += 1e-6 * units.length;
-  const auto rate = std::make_shared<std::vector<double>>((*states)[0].size());
-  measurement.add(repeated([small, states, rate, turn = std::size_t(0)]() mutable {
-                    small->rate((*states)[turn = 1 - turn], *rate, 0.0);
-                  }),
-                  [&cost](double time, double ratio) {
-                    cost.independent.push_back({"right-hand side in independent coordinates", time, ratio});
-                  });
-  const auto jacobian = std::make_shared<Eigen::MatrixXd>();
-  measurement.add(repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
-                    small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
-                  }),
-                  [&cost](double time, double ratio) {
-                    cost.independent.push_back({"its exact Jacobian in them", time, ratio});
-                  });
+  add_independent_pieces(small, state, 1e-6 * units.length, cost, measurement);
 }
 
 /// Parts, Jacobian and upkeep of the general equations.

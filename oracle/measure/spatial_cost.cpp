@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
 
+#include "lubjoint/motion/spatial_independent_ode.hpp"
+#include "lubjoint/scene/spatial_coordinates.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "oracle/measure/cost_measurement.hpp"
 #include "oracle/trajectories/embedded_scene.hpp"
@@ -104,6 +106,31 @@ void add_variants(const SpatialScene& scene, SceneCost& cost, Measurement& measu
   add("Baumgarte's terms", has_baumgarte(scene), "constraints kept by the accelerations", with_upkeep_changed(scene));
 }
 
+/// The coordinates that the scene runs in, and what a right-hand side costs in independent ones.
+void add_independent(const SpatialScene& scene, SceneCost& cost, Measurement& measurement) {
+  SpatialEquations& equations = measurement.keep<SpatialEquations>(scene);
+  const CoordinatesChoice choice = choose_coordinates(scene, equations.prepared.system);
+  cost.runs_in = choice.independent ? "independent" : "absolute";
+  cost.runs_in_reason = choice.reason;
+  if (!choice.independent) return;
+  using Small = SpatialIndependentOde<double, run_time_size>;
+  const SceneUnits units = scene_units(scene);
+  std::vector<double> start = equations.prepared.start;
+  start.resize(equations.ode.dimension(), 0.0);
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < equations.prepared.system.velocities(); ++i)
+    sizes.push_back(i % spatial_velocities < 3 ? units.length : units.angle);
+  const auto small = std::make_shared<Small>(equations.ode, sizes);
+  small->choose(0.0, start);
+  std::vector<double> state;
+  small->take(start, state);
+  for (std::size_t i = 0; i < 2 * small->freedoms(); ++i) {
+    const double size = small->chart().is_turn(i % small->freedoms()) ? units.angle : units.length;
+    state[i] += 0.2 * size * (i < small->freedoms() ? 1.0 : units.rate);
+  }
+  add_independent_pieces(small, state, 1e-6 * units.length, cost, measurement);
+}
+
 /// Parts, Jacobian and upkeep.
 void measure(const SpatialScene& scene, SceneCost& cost, Measurement& measurement) {
   SpatialEquations& equations = measurement.keep<SpatialEquations>(scene);
@@ -116,8 +143,6 @@ void measure(const SpatialScene& scene, SceneCost& cost, Measurement& measuremen
   cost.schur_stored = ode.at(0.0, equations.y).schur.stored();
   cost.constraint_nonzeros = nonzeros(detail::scaled_constraint_matrix(system, ode.workspace()));
   cost.jacobian_passes = scene.bodies.size();
-  cost.runs_in = "absolute";
-  cost.runs_in_reason = "there are no others in space";
   const auto jacobian = std::make_shared<Eigen::MatrixXd>();
   ode.jacobian(equations.y, *jacobian, 0.0);
   cost.rate_nonzeros = nonzeros(*jacobian);
@@ -142,6 +167,7 @@ void measure(const SpatialScene& scene, SceneCost& cost, Measurement& measuremen
                     cost.jacobian_nanoseconds = time;
                     cost.jacobian_ratio = ratio;
                   });
+  add_independent(scene, cost, measurement);
   if (cost.constraint_rows == 0) return;
   SpatialEquations& projected = measurement.keep<SpatialEquations>(scene);
   measurement.add(repeated([&projected] {
