@@ -256,6 +256,34 @@ TEST_CASE("independent coordinates: of a known size, without a ledger and from p
   }
 }
 
+TEST_CASE("independent coordinates: after a search that finds no places the next one starts from the last good ones") {
+  const Scene scene = slider_crank();
+  Prepared prepared(scene);
+  SmallOde small(prepared.ode, prepared.units);
+  small.choose(0, prepared.start);
+  const std::vector<double> good = moved(small, prepared, scene, 1);
+  std::vector<double> far = good, nan = good, expected(good.size()), rate(good.size());
+  far[1] += 1;  // a metre off the slider's guide: no rod is so long
+  nan[1] = std::nan("");
+  small.rate(good, expected, 1e-4);
+  const auto same = [&] {
+    small.rate(good, rate, 1e-4);
+    double scale = 0;
+    for (const double each : expected) scale = std::max(scale, std::abs(each));
+    for (std::size_t i = 0; i < rate.size(); ++i) CHECK(std::abs(rate[i] - expected[i]) < 1e-12 * scale);  // rounding
+  };
+  for (const std::vector<double>* bad : {&far, &nan}) {
+    for (const double t : {1e-4, 2e-4}) {  // where places are known, and at a new time
+      CHECK_THROWS_AS(small.rate(*bad, rate, t), SingularConstraints);
+      same();
+    }
+    std::vector<double> x;
+    small.take(prepared.start, x);  // nothing is known then
+    CHECK_THROWS_AS(small.rate(*bad, rate, 1e-4), SingularConstraints);
+    same();
+  }
+}
+
 TEST_CASE("independent coordinates: the golden trajectories are followed about as closely as in absolute ones") {
   for (const char* name : {"slider-crank", "slider-crank-c0.1-mu0.4", "slider-crank-c0.5-mu0.4",
                            "slider-crank-c0.2-mu0.04", "slider-crank-c0.5-mu0.04"}) {

@@ -171,6 +171,37 @@ using SpatialIntegrator = IndependentIntegrator<double, run_time_size, SmallOde<
 
 }  // namespace
 
+TEST_CASE("independent in space: after a search that finds no places the next one starts from the last good ones") {
+  const SpatialScene scene = shipped("spatial-slider-crank");
+  Prepared<double> prepared(scene);
+  SmallOde<double> small(prepared.ode, prepared.units);
+  small.choose(0, prepared.start);
+  std::vector<double> good;
+  small.take(prepared.start, good);
+  good[0] += 0.2 * scene.joints[0].plane.clearance;
+  std::vector<double> far = good, nan = good, expected(good.size()), rate(good.size());
+  far[0] += 10;  // metres, both ways across the pin: one of them leaves the slider's guide
+  far[1] += 10;
+  nan[1] = std::nan("");
+  small.rate(good, expected, 1e-4);
+  const auto same = [&] {
+    small.rate(good, rate, 1e-4);
+    double scale = 0;
+    for (const double each : expected) scale = std::max(scale, std::abs(each));
+    for (std::size_t i = 0; i < rate.size(); ++i) CHECK(std::abs(rate[i] - expected[i]) < 1e-11 * scale);  // rounding
+  };
+  for (const std::vector<double>* bad : {&far, &nan}) {
+    for (const double t : {1e-4, 2e-4}) {                             // where places are known, and at a new time
+      CHECK_THROWS_AS(small.rate(*bad, rate, t), std::domain_error);  // none, or a journal across its bearing
+      same();
+    }
+    std::vector<double> x;
+    small.take(prepared.start, x);  // nothing is known then
+    CHECK_THROWS_AS(small.rate(*bad, rate, 1e-4), std::domain_error);
+    same();
+  }
+}
+
 TEST_CASE("independent in space: accelerations, reactions and powers are those of the multipliers' equations") {
   for (const SpatialScene& scene : mechanisms_in_space()) {
     CAPTURE(scene.name);

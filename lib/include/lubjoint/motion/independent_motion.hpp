@@ -47,14 +47,13 @@ class IndependentMotion {
     right_columns_.assign(free().size() * groups(), Columns::Zero());
     for (std::size_t k = 0; k < freedoms(); ++k)
       right_columns_[(k / group) * free().size() + first_function() + k](index(k % group)) = R(1);
-    std::copy(y.begin(), y.end(), y_.begin());
+    start_from(y);
     // Rounding of a place is that of the coordinates around it.
     R length(0);
     for (std::size_t i = 0; i < n_; ++i) {
       if (i % 3 != 2) length = std::max<R>(length, size_of(y[i]));
     }
     inverse_length_ = length > 0 ? R(1 / length) : R(1);
-    forget();
   }
 
   /// (z, ż) and their rates of a state and its rates, both whole.
@@ -74,9 +73,8 @@ class IndependentMotion {
 
   /// Moves (q, q̇) of a state near it to (z, ż) inside a step, as nothing but the two say. @throws SingularConstraints
   void correct(const R& t, const StepInterpolant<std::vector<R>>& step, Full& y) {
-    forget();
+    start_from(y);
     step.state_at(t, freedoms(), inside_);
-    std::copy_n(y.begin(), n_, y_.begin());
     Place& place = places_.latest();
     Moment& moment = places_.moment_of(place);
     place_frames();
@@ -115,6 +113,12 @@ class IndependentMotion {
   using Moment = typename FoundPlaces<R, Columns>::Moment;
   using Place = typename FoundPlaces<R, Columns>::Place;
 
+  /// The next search starts from the coordinates of a state, also if one of them fails.
+  void start_from(const Full& y) {
+    std::copy(y.begin(), y.end(), y_.begin());
+    taken_.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(n_));
+    forget();
+  }
   void forget() {
     places_.forget();
     here_ = false;
@@ -294,9 +298,10 @@ class IndependentMotion {
   /// q near those of the same time, or of the latest place.
   template <class Small>
   void guess(const Place& from, const R& t, const Small& x) {
-    if (!from.known) return;  // y_ is what was taken
+    const std::vector<R>& q = from.known ? from.q : taken_;
+    std::copy(q.begin(), q.end(), y_.begin());
+    if (!from.known) return;
     const std::size_t f = freedoms();
-    std::copy(from.q.begin(), from.q.end(), y_.begin());
     for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
     if (from.t != t && accelerated_) {
       const R dt = t - from.t;
@@ -468,7 +473,7 @@ class IndependentMotion {
 
   // Work, kept so that no evaluation allocates.
   std::vector<Columns> right_columns_, column_work_;
-  std::vector<R> right_, inside_;
+  std::vector<R> right_, inside_, taken_;
 };
 
 }  // namespace lubjoint

@@ -64,8 +64,7 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
 
   /// (z, ż, work) of a whole state, from whose coordinates the next search starts.
   void take(const Full& y, State& x) {
-    std::copy(y.begin(), y.end(), y_.begin());
-    forget();
+    start_from(y);
     system_.place(y_.data(), w_);
     chart_.evaluate(y_.data(), w_, functions_.data());
     const std::size_t f = freedoms();
@@ -178,7 +177,6 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
   using Motion::chart_;
   using Motion::column;
   using Motion::follow;
-  using Motion::forget;
   using Motion::free;
   using Motion::functions_;
   using Motion::index;
@@ -190,6 +188,7 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
   using Motion::prescribed;
   using Motion::residual_;
   using Motion::speeds_;
+  using Motion::start_from;
   using Motion::step_;
   using Motion::system_;
   using Motion::w_;

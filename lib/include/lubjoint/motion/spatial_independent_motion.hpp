@@ -49,14 +49,13 @@ class SpatialIndependentMotion {
   /// @throws SingularConstraints where there is no choice
   void choose(const R& t, const Full& y) {
     if (!chart_.choose(t, y.data(), w_)) throw SingularConstraints("the constraints are not independent");
-    std::copy(y.begin(), y.end(), y_.begin());
+    start_from(y);
     // Rounding of a place is that of the coordinates around it.
     R length(0);
     for (std::size_t b = 0; b < bodies_; ++b) {
       for (std::size_t k = 0; k < 3; ++k) length = std::max<R>(length, size_of(y[7 * b + k]));
     }
     inverse_length_ = length > 0 ? R(1 / length) : R(1);
-    forget();
   }
 
   /// (z, ż) and their rates of a state and its rates, both whole. Turns are of the revolution that is nearest to what
@@ -78,10 +77,8 @@ class SpatialIndependentMotion {
   /// Moves places and velocities of a state near it to (z, ż) inside a step, as nothing but the two say.
   /// @throws SingularConstraints
   void correct(const R& t, const StepInterpolant<std::vector<R>>& step, Full& y) {
-    forget();
+    start_from(y);
     step.state_at(t, freedoms(), inside_);
-    std::copy_n(y.begin(), places_end_, y_.begin());
-    normalise();
     place_frames();
     search(t, inside_, std::numeric_limits<R>::infinity());
     find_velocities(inside_);
@@ -132,6 +129,13 @@ class SpatialIndependentMotion {
     std::vector<R> z;
   };
 
+  /// The next search starts from the places of a state, with |p| = 1, also if one of them fails.
+  void start_from(const Full& y) {
+    std::copy(y.begin(), y.end(), y_.begin());
+    normalise();
+    taken_.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(places_end_));
+    forget();
+  }
   void forget() {
     for (Place& each : places_) each.known = false;
     here_ = false;
@@ -198,9 +202,10 @@ class SpatialIndependentMotion {
   }
   R size_of_step() const {
     R size(0);
-    for (std::size_t i = 0; i < n_; i += 6) {
-      for (std::size_t k = 0; k < 3; ++k)
-        size = std::max<R>(size, std::max<R>(size_of(step_[i + k]) * inverse_length_, size_of(step_[i + 3 + k])));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const R of_this = i % 6 < 3 ? R(size_of(step_[i]) * inverse_length_) : size_of(step_[i]);
+      if (!(of_this <= size)) size = of_this;
+      if (std::isnan(static_cast<double>(size))) break;
     }
     return size;
   }
@@ -218,8 +223,9 @@ class SpatialIndependentMotion {
   R guess(std::size_t at, const R& t, const Small& x) {
     const std::size_t f = freedoms();
     const Place& from = places_[at < places_.size() ? at : latest_];
-    if (!from.known) return std::numeric_limits<R>::infinity();  // y_ is what was taken
-    std::copy(from.q.begin(), from.q.end(), y_.begin());
+    const std::vector<R>& q = from.known ? from.q : taken_;
+    std::copy(q.begin(), q.end(), y_.begin());
+    if (!from.known) return std::numeric_limits<R>::infinity();
     for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
     std::fill(step_.begin(), step_.end(), R(0));
     if (from.t != t && accelerated_) {
@@ -298,6 +304,7 @@ class SpatialIndependentMotion {
       if (at != latest_ && places_[latest_].known) chart_.copy_factors(latest_, at);
     }
     Place& place = places_[at];
+    if (place.known) taken_ = place.q;  // should the search fail
     place.known = false;
     chart_.use(at);
     search(t, x, moved);
@@ -398,7 +405,7 @@ class SpatialIndependentMotion {
   // Work, kept so that no evaluation allocates.
   std::vector<R> residual_, step_, work_;
   std::vector<Columns> column_residual_, column_work_;
-  std::vector<R> right_, inside_;
+  std::vector<R> right_, inside_, taken_;
 
  private:
   static constexpr int most_iterations = 12;

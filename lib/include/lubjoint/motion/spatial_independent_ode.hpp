@@ -67,9 +67,7 @@ class SpatialIndependentOde final
 
   /// (z, ż, work) of a whole state, from whose places the next search starts.
   void take(const Full& y, State& x) {
-    std::copy(y.begin(), y.end(), y_.begin());
-    forget();
-    normalise();
+    start_from(y);
     system_.place(y_.data(), w_);
     chart_.evaluate(w_, functions_.data());
     const std::size_t f = freedoms();
@@ -189,7 +187,6 @@ class SpatialIndependentOde final
   using Motion::chart_;
   using Motion::column;
   using Motion::follow;
-  using Motion::forget;
   using Motion::functions_;
   using Motion::gammas_;
   using Motion::group;
@@ -198,11 +195,11 @@ class SpatialIndependentOde final
   using Motion::latest_;
   using Motion::m_;
   using Motion::n_;
-  using Motion::normalise;
   using Motion::places_;
   using Motion::places_end_;
   using Motion::residual_;
   using Motion::speeds_;
+  using Motion::start_from;
   using Motion::step_;
   using Motion::system_;
   using Motion::w_;
