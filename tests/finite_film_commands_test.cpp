@@ -140,6 +140,28 @@ TEST_CASE("mobility with finite films: the velocity whose force it was; half fil
   CHECK_THAT(half.out, Contains(",none,") && Contains(",two,"));
 }
 
+TEST_CASE("mobility and losses with finite films: states beyond the table are warned of, once, and others not") {
+  const std::string warning = "was measured up to eccentricity ratio 0.95, and is not known at 0.98";
+  const auto count = [&](const Words& words, const std::string& states) {
+    const ProgramResult result = lubjoint_program(command(words), {.input = states});
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    std::size_t times = 0;
+    for (std::size_t at = 0; (at = result.err.find("is not known at", at)) != std::string::npos; ++at) ++times;
+    CHECK((result.err.find(warning) != std::string::npos) == (times == 1));
+    return times;
+  };
+  const Words mobility = {"mobility", "--law", "finite_reynolds", "--states", "-"};
+  const std::string forces = "ex_over_c,ey_over_c,fx,fy\n0,0.9,-40,10\n";
+  CHECK(count(mobility, forces) == 0);
+  CHECK(count(mobility, forces + "0.98,0,-40,10\n0,-0.97,-40,10\n") == 1);  // the farther of the two
+  const Words losses = {"losses", "--law", "finite_reynolds", "--shear", "flooded", "--states", "-"};
+  const std::string motions = "ex,ey,vx,vy,omega_bearing,omega_journal\n0,1.8e-4,1e-3,2e-3,0,52\n";
+  CHECK(count(losses, motions) == 0);
+  CHECK(count(losses, motions + "1.96e-4,0,1e-3,2e-3,0,52\n0,-1.94e-4,1e-3,2e-3,0,52\n") == 1);
+  CHECK(count({"mobility", "--law", "short_dynamic", "--states", "-"}, forces + "0.98,0,-40,10\n") == 0);  // no table
+}
+
 TEST_CASE("losses with finite films: moments and power balance, Petroff's friction, and what a table does not know") {
   const Vec e(1e-4, 2e-5);
   const Vec v(1e-3, 2e-3);

@@ -329,6 +329,41 @@ TEST_CASE("finite films: a sweep over the length has a table for each point, mad
   CHECK(rows.number(1, column) > rows.number(2, column));
 }
 
+TEST_CASE("finite films: a sweep warns of states beyond the table once a joint, also when it continues") {
+  const TemporaryFolder folder;
+  const std::string warning = "reached eccentricity ratio";
+  const auto sweep = [&](const std::string& loads, const Words& more) {
+    Words words{"sweep", journal_scene_file, "--vary", "loads[0].force[1]=" + loads, "--duration", "0.02"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = lubjoint_program(words);
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    return result.err;
+  };
+  const std::string heavy = "-60000,-30,-50000";
+  const std::string said = sweep(heavy, {"--law", "finite_dynamic"});
+  const std::size_t first = said.find(warning);
+  REQUIRE(first != std::string::npos);
+  CHECK(said.find(warning, first + 1) == std::string::npos);
+  CHECK_THAT(said, Contains("joint \"bearing\"") && Contains("At point 0") && Contains("and less far at 1 more."));
+  CHECK(sweep("-30,-40", {"--law", "finite_dynamic"}).find(warning) == std::string::npos);
+  CHECK(sweep(heavy, {"--law", "short_dynamic"}).find(warning) == std::string::npos);
+  // A film that is swept: of one point alone it is a table.
+  CHECK_THAT(sweep("-50000", {"--vary", "joints[0].film=short_dynamic,finite_dynamic"}),
+             Contains(warning) && Contains("At point 1"));
+  // Each shard warns of its own points, and what has been merged is not gone through again.
+  const Words out{"--law", "finite_dynamic", "--out", folder.path().string()};
+  const auto shard = [&](const char* which) {
+    Words words = out;
+    words.insert(words.end(), {"--shard", which});
+    return sweep(heavy, words);
+  };
+  CHECK(shard("2/3").find(warning) == std::string::npos);
+  CHECK_THAT(shard("3/3"), Contains(warning) && Contains("At point 2"));
+  CHECK_THAT(shard("1/3"), Contains(warning) && Contains("At point 0") && !Contains("less far"));
+  CHECK(sweep(heavy, out).find(warning) == std::string::npos);
+}
+
 TEST_CASE("finite films: a law that is far off names the compiled law as the remedy") {
   const ProgramResult off = lubjoint_program({"simulate", journal_scene_file, "--law", "short_half"});
   CHECK_THAT(off.err, Contains("short_half") &&

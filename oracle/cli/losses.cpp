@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "oracle/cli/bearing_options.hpp"
 #include "oracle/cli/law_option.hpp"
 #include "oracle/cli/programs.hpp"
 #include "oracle/cli/state_rows.hpp"
+#include "oracle/results/coefficient_table.hpp"
 #include "oracle/results/losses_table.hpp"
 
 namespace lubjoint::cli {
@@ -48,14 +51,18 @@ void add_losses(CLI::App& app, Action& action) {
       require_law_of_bearing(options->law, bearing);
       const Lubricant<double> oil = options->oil();
       reports::FilmInBearing film{options->law, bearing, oil};
+      double farthest = 0;
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
         film = film_in_bearing(options->law, bearing, oil);  // once there are states: it may take a minute
         if (film.table != nullptr) std::cerr << solved_flow_words(options->law) << '\n';
         constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
         answer_numbers(states, given, reports::loss_column_names, write, [&](const std::array<double, 6>& x) {
+          farthest = std::max(farthest, std::hypot(x[0], x[1]) / bearing.clearance());
           return reports::loss_columns(film, shear, {{x[0], x[1]}, {x[2], x[3]}, x[4], x[5]});
         });
       });
+      const std::string beyond = reports::beyond_table_note(film, farthest);
+      if (!beyond.empty()) std::cerr << "warning: " << beyond << '\n';
       return 0;
     };
   });

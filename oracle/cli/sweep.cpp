@@ -116,6 +116,15 @@ void run_points(const Sweep& sweep, const std::vector<std::size_t>& points, unsi
   });
 }
 
+/// What rows of compiled laws are beyond, once a joint: of the points of this shard, whose tables are at hand.
+void warn_beyond_tables(const Sweep& sweep, const Shard& shard, const Rows& rows) {
+  Rows own;
+  for (const auto& [point, row] : rows) {
+    if (shard.holds(point)) own.emplace(point, row);
+  }
+  for (const std::string& warning : sweep.beyond_table_warnings(own)) std::cerr << warning << '\n';
+}
+
 struct Result {
   Rows rows;            ///< of all points if they are merged; else of the shard
   std::size_t run = 0;  ///< points that ran now
@@ -134,6 +143,7 @@ Result run_in_memory(const Sweep& sweep, unsigned threads) {
   });
   result.run = points.size();
   result.merged = true;
+  warn_beyond_tables(sweep, Shard{}, result.rows);
   return result;
 }
 
@@ -172,6 +182,7 @@ Result run_in_folder(const SweepOptions& options, const Sweep& sweep, const Shar
   if (!options.merge) {
     run_points(sweep, missing, threads, [&](std::size_t point, const std::string& row) { store.add(point, row); });
     result.run = missing.size();
+    warn_beyond_tables(sweep, shard, store.rows());
   }
   result.merged = store.merge(sweep.header(), sweep.grid().size());
   if (result.merged) result.csv = csv.string();

@@ -1,14 +1,19 @@
 #include "oracle/sweep/sweep.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/scene/start_check.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/files/quoted_csv.hpp"
+#include "oracle/laws/scene_films.hpp"
 #include "oracle/results/journal_report.hpp"
 #include "oracle/results/late_extremes.hpp"
 #include "oracle/results/multibody_report.hpp"
@@ -192,6 +197,50 @@ std::string Sweep::row(std::size_t point) const {
 
 bool Sweep::is_stopped(const std::string& row, const SweepGrid& grid) {
   return split_quoted(row).at(1 + grid.keys().size()) == "stopped";
+}
+
+std::vector<std::string> Sweep::beyond_table_warnings(const std::map<std::size_t, std::string>& rows) const {
+  struct Beyond {
+    std::size_t points = 0;
+    double farthest = 0;  // eccentricity ratio
+    std::string warning;
+    std::string place;
+  };
+  const Scene first = scene(0);
+  // Most sweeps have no such film, and then no scene is read again.
+  const auto is_compiled = [](const SceneJoint& joint) { return is_compiled_law(joint.film); };
+  const auto is_film = [](const SweptKey& swept) { return swept.key.ends_with(".film"); };
+  if (std::none_of(first.joints.begin(), first.joints.end(), is_compiled) &&
+      std::none_of(grid_.keys().begin(), grid_.keys().end(), is_film)) {
+    return {};
+  }
+  std::vector<Beyond> seen(first.joints.size());
+  for (const auto& [point, row] : rows) {
+    const std::vector<std::string> fields = split_quoted(row);
+    const Scene at = scene(point);
+    for (std::size_t j = 0; j < at.joints.size(); ++j) {
+      const SceneJoint& joint = at.joints[j];
+      const auto column = std::find(columns_.begin(), columns_.end(), joint.name + "." + joint_extremes[0]);
+      const Json ratio = number_of_field(fields.at(static_cast<std::size_t>(column - columns_.begin())));
+      if (ratio.is_null()) continue;  // stopped before it began
+      const std::string warning = beyond_table_warning(joint, ratio.get<double>() * joint.clearance);
+      if (warning.empty()) continue;
+      Beyond& beyond = seen[j];
+      ++beyond.points;
+      if (ratio.get<double>() <= beyond.farthest) continue;
+      beyond.farthest = ratio.get<double>();
+      beyond.warning = warning;
+      beyond.place = grid_.name(point);
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const Beyond& each : seen) {
+    if (each.points == 0) continue;
+    warnings.push_back(each.points == 1 ? fmt::format("{} At {}.", each.warning, each.place)
+                                        : fmt::format("{} At {}, and less far at {} more.", each.warning, each.place,
+                                                      each.points - 1));
+  }
+  return warnings;
 }
 
 Json Sweep::row_json(const std::string& row) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ class Sweep {
   std::string row(std::size_t point) const;
 
   static bool is_stopped(const std::string& row, const SweepGrid& grid);
+  /// Warnings of joints whose film was beyond the places at which its law's stated error was measured: one a joint, of
+  /// the row that went farthest.
+  /// @param rows  by their points, which have to be valid
+  std::vector<std::string> beyond_table_warnings(const std::map<std::size_t, std::string>& rows) const;
   /// A row as an object: numbers, texts, null where a field is empty.
   nlohmann::ordered_json row_json(const std::string& row) const;
 
