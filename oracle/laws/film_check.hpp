@@ -19,9 +19,10 @@ struct FilmCheck {
   double bound = 0;               ///< of the solver's error there, over |F|
 };
 
-/// Against the solver that the table was not made with: the axial cosine series of full, half and dynamic films, to
-/// 1e-8, and finer grids of finite_reynolds, to 1e-4. The states are the same in each run, the first of many those of
-/// few.
+/// Full, half and dynamic films are held against the solver that their table was not made with, the axial cosine
+/// series, to 1e-8. finite_reynolds is held against the solver that made its table, grids to 1e-4, but at other places,
+/// and in both components, of which the table was given W∥ alone. The states are the same in each run, the first of
+/// many those of few.
 /// @param states  1 or more
 FilmCheck check_film(const CompiledFilm& film, int states, const CompilerOptions& options = {});
 
