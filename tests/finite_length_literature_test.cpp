@@ -195,7 +195,7 @@ TEST_CASE("finite length: Raimondi and Boyd's table is met by the compiled law, 
   CHECK(raw_angle.difference == Approx(4.34).margin(0.1));  // measured; more than eight times the table's scatter
   CHECK(raw_angle.where == "L/D 1, eccentricity ratio 0.1");
   CHECK(lowest == Approx(-0.020).margin(0.002));  // measured; the table's last digit is 0.4 %
-  CHECK(highest == Approx(0.011).margin(0.002));
+  CHECK(highest == Approx(0.011).margin(0.002));  // likewise
 }
 
 TEST_CASE("finite length: Butenschön's rotation is met by the compiled law, once its free onset is allowed for") {
