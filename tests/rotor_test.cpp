@@ -134,7 +134,7 @@ TEST_CASE("rotor: the scene as it ships stays on an orbit near the one of its li
 TEST_CASE("machines: a ledger of energy closes in every scene that ships, whatever it has in it") {
   const std::string folder = std::string(LUBJOINT_SOURCE_DIR) + "/data/";
   for (const std::string file : {"scenes/machines/rotor.toml", "scenes/machines/big-end.toml", "examples/shaker.toml",
-                                 "scenes/machines/engine.toml"}) {
+                                 "examples/lever.toml", "scenes/machines/engine.toml"}) {
     INFO(file);
     Scene scene = load_scene(folder + file);
     scene.energy_ledger = true;

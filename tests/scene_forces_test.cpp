@@ -91,6 +91,7 @@ TEST_CASE("scene loads: point, frame, harmonic and unbalance are read, and what 
   refused(rod + "force = [1.0, 0.0]\nharmonic = {phase = 1.0}\n", "speed is missing, and so is frequency");
   refused(rod + "force = [1.0, 0.0]\nharmonic = {speed = 1.0, frequency = 1.0}\n", "speed is given beside frequency");
   refused(rod + "force = [1.0, 0.0]\nharmonic = {speed = 0.0}\n", "speed is 0");
+  refused(rod + "force = [0.0, 0.0]\nharmonic = {speed = 1.0}\n", "harmonic is given for a force and a moment of 0");
   refused(rod + "unbalance = {mass_radius = 1e-4}\n", "unbalance is on body \"rod\", whose spin is not held");
   refused("body = \"rotor\"\nforce = [1.0, 0.0]\nunbalance = {mass_radius = 1e-4}\n", "unknown key loads[0].force");
   refused("body = \"rotor\"\nunbalance = {mass_radius = 0.0}\n", "mass_radius is 0");

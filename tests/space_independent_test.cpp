@@ -8,7 +8,8 @@
 #include <random>
 #include <string>
 
-#include "lubjoint/motion/spatial_independent_ode.hpp"
+#include "lubjoint/motion/in_space.hpp"
+#include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
@@ -105,7 +106,7 @@ struct Prepared {
 };
 
 template <class R>
-using SmallOde = SpatialIndependentOde<R, run_time_size>;
+using SmallOde = IndependentOde<InSpace<R>, run_time_size>;
 
 /// (z, ż) of a start, moved at random: a film's eccentricities and velocities, places, or turns.
 template <class R>
@@ -167,7 +168,7 @@ double distance(const SpatialTrajectory& one, const SpatialTrajectory& other, st
 std::unique_ptr<Integrator<double, run_time_size>> radau(const StepTolerance<double, run_time_size>& tolerance) {
   return make_integrator<run_time_size>("radau_iia5", tolerance);
 }
-using SpatialIntegrator = IndependentIntegrator<double, run_time_size, SmallOde<double>>;
+using SpatialIntegrator = IndependentIntegrator<InSpace<double>, run_time_size>;
 
 }  // namespace
 

@@ -170,3 +170,21 @@ TEST_CASE("units in space: a moment's rate is that of the axis about which it tu
   scene.bodies[0].orientation = euler_parameters<double>({0, 1, 0}, std::acos(0.0));
   CHECK(scene_units(scene).rate == Approx(std::sqrt(40 / 1e-3)));
 }
+
+TEST_CASE("space: a spring that comes to length 0 stops the run by its name, one that passes beside it does not") {
+  const auto thrown = [](double beside, const std::string& integrator) {
+    std::ostringstream scene;
+    scene << "[integrator]\nname = \"" << integrator << "\"\n[[bodies]]\nname = \"mass\"\nmass = 1.0\n"
+          << "inertia = [1e-3, 1e-3, 1e-3]\nposition = [0.06, 0.08, " << beside << "]\nvelocity = [-1.8, -2.4, 0.0]\n"
+          << "[[springs]]\nname = \"coil\"\nfirst = {body = \"ground\"}\nsecond = {body = \"mass\"}\n"
+          << "stiffness = 50.0\nfree_length = 0.1\n";
+    return simulate_spatial(parsed(scene.str())).outcome;
+  };
+  for (const std::string integrator : {"radau_iia5", "dopri5", "fehlberg78"}) {
+    INFO(integrator);
+    const RunOutcome stopped = thrown(0, integrator);
+    CHECK(stopped.status == RunStatus::stopped);
+    CHECK_THAT(stopped.message, Contains("spring \"coil\" has length 0 at 0.03"));  // 0.1 m at 3 m/s
+    CHECK(thrown(0.002, integrator).status == RunStatus::finished);
+  }
+}

@@ -146,17 +146,24 @@ TEST_CASE("table of an angle: integrators keep their orders across knots that a 
     double order, loose, tight;
   };
   // Swings over three knots and back, and turns that go round the other way. The order is the slope of all errors over
-  // all numbers of steps, along tolerances a tenth apart: single ones scatter.
-  for (const auto& [angle, spin] : {std::pair{2.0, 0.0}, std::pair{3.0, -14.0}}) {
-    const Scene scene = in_the_well(angle, spin);
+  // all numbers of steps, along tolerances a tenth apart: single ones scatter. A stage of a step that ends at a knot
+  // lies beyond it by what the stage is off, and must not read the next row's line there: of order 8, 7 were left.
+  struct Case {
+    double angle, spin;
+    SceneCoordinates coordinates;
+  };
+  for (const Case& start : {Case{2, 0, SceneCoordinates::absolute}, Case{3, -14, SceneCoordinates::absolute},
+                            Case{2, 0, SceneCoordinates::independent}, Case{3, -14, SceneCoordinates::independent}}) {
+    const double angle = start.angle;
+    Scene scene = in_the_well(angle, start.spin);
     const std::array<double, 2> exact = reference(scene);
-    for (const Expected& each : {Expected{"radau_iia5", 5, 1e-5, 1e-10}, Expected{"rosenbrock4", 4, 1e-5, 1e-9},
-                                 Expected{"dopri5", 5, 1e-6, 1e-11},
-                                 // In place of 8: a step to a knot has stages at its end that are right to h^5 alone.
-                                 // They read the load beyond the knot by what they are off, which the step weights with
-                                 // h; and so does its estimate, which misses it.
-                                 Expected{"fehlberg78", 7, 1e-4, 1e-13}, Expected{"bulirsch_stoer", 5.5, 1e-4, 1e-10},
-                                 Expected{"adams_bashforth_moulton", 5.5, 1e-4, 1e-10}}) {
+    scene.coordinates = start.coordinates;
+    if (start.coordinates == SceneCoordinates::independent)
+      scene.constraints = {{"pin", Revolute<double>{{}, {0, {0, 0}}}}};
+    for (const Expected& each :
+         {Expected{"radau_iia5", 5, 1e-5, 1e-10}, Expected{"rosenbrock4", 4, 1e-5, 1e-9},
+          Expected{"dopri5", 5, 1e-7, 1e-12}, Expected{"fehlberg78", 8, 1e-4, 1e-11},
+          Expected{"bulirsch_stoer", 5.5, 1e-4, 1e-10}, Expected{"adams_bashforth_moulton", 5.5, 1e-4, 1e-10}}) {
       std::vector<std::array<double, 2>> points;  // ln of steps and error
       std::ostringstream series;
       for (double tolerance = each.loose; tolerance > each.tight / 2; tolerance /= 10) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lubjoint/motion/in_plane.hpp"
 #include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
@@ -22,7 +23,7 @@ template <std::size_t N>
 std::unique_ptr<Integrator<double, run_time_size>> method_of_size(const std::string& name, MultibodyOde<double>& ode,
                                                                   const StepTolerance<double, run_time_size>& tolerance,
                                                                   std::vector<std::array<double, 2>> of_joints) {
-  return std::make_unique<IndependentIntegrator<double, N>>(
+  return std::make_unique<IndependentIntegrator<InPlane<double>, N>>(
       ode, tolerance, std::move(of_joints),
       [name](const StepTolerance<double, N>& of_chart) { return make_integrator<N>(name, of_chart); });
 }

@@ -14,19 +14,6 @@ namespace lubjoint {
 
 namespace {
 
-SceneHarmonic read_harmonic(TableReader table) {
-  SceneHarmonic harmonic;
-  if (table.has("frequency") == table.has("speed")) {
-    table.refuse("speed", table.has("speed") ? "given beside frequency" : "missing, and so is frequency",
-                 "one of them: speed [rad/s] or frequency [Hz]");
-  }
-  harmonic.rate = table.has("speed") ? table.number("speed", Allowed::positive, "rad/s")
-                                     : 2 * std::numbers::pi * table.number("frequency", Allowed::positive, "Hz");
-  harmonic.phase = table.number_or("phase", 0, Allowed::any, "rad");
-  table.finish();
-  return harmonic;
-}
-
 SceneUnbalance read_unbalance(TableReader table) {
   SceneUnbalance unbalance;
   unbalance.mass_radius = table.number("mass_radius", Allowed::positive, "kg m");
@@ -97,6 +84,21 @@ Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
   return body.position + Vector2<double>(cosine * s.x() - sine * s.y(), sine * s.x() + cosine * s.y());
 }
 
+SceneHarmonic read_harmonic(TableReader& table, bool acts) {
+  TableReader swing = table.table("harmonic");
+  SceneHarmonic harmonic;
+  if (swing.has("frequency") == swing.has("speed")) {
+    swing.refuse("speed", swing.has("speed") ? "given beside frequency" : "missing, and so is frequency",
+                 "one of them: speed [rad/s] or frequency [Hz]");
+  }
+  harmonic.rate = swing.has("speed") ? swing.number("speed", Allowed::positive, "rad/s")
+                                     : 2 * std::numbers::pi * swing.number("frequency", Allowed::positive, "Hz");
+  harmonic.phase = swing.number_or("phase", 0, Allowed::any, "rad");
+  swing.finish();
+  if (!acts) table.refuse("harmonic", "given for a force and a moment of 0", "none, or an amplitude other than 0");
+  return harmonic;
+}
+
 SceneLoad read_load(TableReader table, const Scene& scene) {
   SceneLoad load;
   load.body = read_body_name(table, "body", scene, false);
@@ -126,7 +128,8 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
   for (const char* key : {"point", "frame"}) {
     if (!has_force && table.has(key)) table.refuse(key, "given for a moment alone", "none, or a force beside it");
   }
-  if (!load.table && table.has("harmonic")) load.harmonic = read_harmonic(table.table("harmonic"));
+  if (!load.table && table.has("harmonic"))
+    load.harmonic = read_harmonic(table, !is_zero(load.force) || load.moment != 0);
   table.finish();
   return load;
 }

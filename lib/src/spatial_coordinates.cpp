@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "lubjoint/motion/spatial_independent_ode.hpp"
+#include "lubjoint/motion/in_space.hpp"
+#include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/ode/integrators.hpp"
 
 namespace lubjoint {
@@ -13,7 +14,7 @@ template <std::size_t N>
 std::unique_ptr<Integrator<double, run_time_size>> method_of_size(const std::string& name, SpatialOde<double>& ode,
                                                                   const StepTolerance<double, run_time_size>& tolerance,
                                                                   std::vector<std::array<double, 2>> of_joints) {
-  return std::make_unique<IndependentIntegrator<double, N, SpatialIndependentOde<double, N>>>(
+  return std::make_unique<IndependentIntegrator<InSpace<double>, N>>(
       ode, tolerance, std::move(of_joints),
       [name](const StepTolerance<double, N>& of_chart) { return make_integrator<N>(name, of_chart); });
 }

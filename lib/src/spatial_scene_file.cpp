@@ -7,6 +7,7 @@
 
 #include "lubjoint/text/nearest_name.hpp"
 #include "scene_changes.hpp"
+#include "scene_forces.hpp"
 #include "scene_parts.hpp"
 #include "spatial_constraints.hpp"
 
@@ -51,14 +52,6 @@ SpatialSceneBody read_spatial_body(TableReader table, const std::vector<SpatialS
   return body;
 }
 
-SceneHarmonic read_spatial_harmonic(TableReader table) {
-  SceneHarmonic harmonic;
-  harmonic.rate = table.number("speed", Allowed::positive, "rad/s");
-  harmonic.phase = table.number_or("phase", 0, Allowed::any, "rad");
-  table.finish();
-  return harmonic;
-}
-
 SpatialSceneLoad read_spatial_load(TableReader table, const SpatialScene& scene) {
   SpatialSceneLoad load;
   load.body = read_body_name(table, "body", body_names(scene), false);
@@ -70,7 +63,7 @@ SpatialSceneLoad read_spatial_load(TableReader table, const SpatialScene& scene)
   const std::string frame = table.text_or("frame", "inertial");
   if (frame != "inertial" && frame != "body") table.refuse("frame", in_quotes(frame), "\"inertial\" or \"body\"");
   load.turns_with_body = frame == "body";
-  if (table.has("harmonic")) load.harmonic = read_spatial_harmonic(table.table("harmonic"));
+  if (table.has("harmonic")) load.harmonic = read_harmonic(table, !is_zero(load.force) || !is_zero(load.moment));
   table.finish();
   return load;
 }

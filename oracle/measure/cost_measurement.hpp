@@ -158,19 +158,18 @@ void add_independent_pieces(const std::shared_ptr<Small>& small, const std::vect
   (*states)[0] = (*states)[1] = state;
   (*states)[1][0] += step;
   const auto rate = std::make_shared<std::vector<double>>(state.size());
-  measurement.add(repeated([small, states, rate, turn = std::size_t(0)]() mutable {
-                    small->rate((*states)[turn = 1 - turn], *rate, 0.0);
-                  }),
-                  [&cost](double time, double ratio) {
-                    cost.independent.push_back({"right-hand side in independent coordinates", time, ratio});
-                  });
+  const auto add = [&](const std::string& what, TimedPiece piece) {
+    measurement.add(std::move(piece), [&cost, what](double time, double ratio) {
+      cost.independent.push_back({what, time, ratio});
+    });
+  };
+  add("right-hand side in independent coordinates", repeated([small, states, rate, turn = std::size_t(0)]() mutable {
+        small->rate((*states)[turn = 1 - turn], *rate, 0.0);
+      }));
   const auto jacobian = std::make_shared<Eigen::MatrixXd>();
-  measurement.add(repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
-                    small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
-                  }),
-                  [&cost](double time, double ratio) {
-                    cost.independent.push_back({"its exact Jacobian in them", time, ratio});
-                  });
+  add("its exact Jacobian in them", repeated([small, states, jacobian, turn = std::size_t(0)]() mutable {
+        small->jacobian((*states)[turn = 1 - turn], *jacobian, 0.0);
+      }));
 }
 
 }  // namespace lubjoint::reports

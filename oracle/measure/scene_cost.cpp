@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lubjoint/motion/in_plane.hpp"
 #include "lubjoint/motion/independent_ode.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
@@ -185,7 +186,7 @@ void add_independent(const Scene& scene, GeneralEquations& equations, SceneCost&
   cost.runs_in = choice.independent ? "independent" : "absolute";
   cost.runs_in_reason = choice.reason;
   if (!choice.independent) return;
-  using Small = IndependentOde<double, run_time_size>;
+  using Small = IndependentOde<InPlane<double>, run_time_size>;
   const SceneUnits units = scene_units(scene);
   std::vector<double> start = scene_start<double>(scene);
   assemble_start(equations.system, 0.0, units.mechanism, start);

@@ -1,7 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "lubjoint/motion/spatial_independent_ode.hpp"
+#include "lubjoint/motion/in_space.hpp"
+#include "lubjoint/motion/independent_ode.hpp"
 #include "lubjoint/scene/spatial_coordinates.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "oracle/measure/cost_measurement.hpp"
@@ -113,7 +114,7 @@ void add_independent(const SpatialScene& scene, SceneCost& cost, Measurement& me
   cost.runs_in = choice.independent ? "independent" : "absolute";
   cost.runs_in_reason = choice.reason;
   if (!choice.independent) return;
-  using Small = SpatialIndependentOde<double, run_time_size>;
+  using Small = IndependentOde<InSpace<double>, run_time_size>;
   const SceneUnits units = scene_units(scene);
   std::vector<double> start = equations.prepared.start;
   start.resize(equations.ode.dimension(), 0.0);

@@ -25,6 +25,7 @@ class ConstrainedMotionJacobian {
         real_(system_.template workspace<R>()),
         dual_(system_.template workspace<Seeded>()),
         seeded_(2 * system_.coordinates()) {
+    real_.table_pieces = dual_.table_pieces = &ode.table_pieces();
     find_neighbours();
     find_colours();
     find_pattern();

@@ -3,54 +3,54 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
-
-#include "lubjoint/joint/planar_motion.hpp"
-#include "lubjoint/multibody/chart_parts.hpp"
 
 namespace lubjoint {
 
 /// Those of the times of a step's stages and of its start, which are asked for again and again, and one to search in.
-/// @tparam Columns  so many columns of V at a coordinate
-template <class R, class Columns>
+/// @tparam In  InPlane or InSpace;  @tparam Columns  so many columns of V at a velocity
+template <class In, class Columns>
 class FoundPlaces {
+  using R = typename In::R;
+
  public:
   /// What a time prescribes.
   struct Moment {
-    std::vector<R> rates;                ///< of the prescribed coordinates, in their order
-    std::vector<R> accelerations;        ///< likewise
-    std::vector<PlanarFrame<R>> frames;  ///< of their bodies
-    std::vector<R> numbers;              ///< of their rows, and their factors
+    std::vector<R> rates;                                ///< the prescribed velocities, in their order
+    std::vector<R> accelerations;                        ///< likewise
+    std::vector<typename In::template Frame<R>> frames;  ///< of their bodies
+    std::vector<R> numbers;                              ///< of their rows, and their factors
   };
-  /// Coordinates that were found at a time.
+  /// Places that were found at a time.
   struct Place {
-    R t{};                                ///< the time [s]
-    bool known = false;                   ///< was anything found?
-    std::size_t number = 0;               ///< counts places of new times
-    std::size_t moment = 0;               ///< that of its time
-    std::vector<R> q;                     ///< all coordinates
-    std::vector<R> z;                     ///< the chart's functions there
-    std::vector<Columns> columns;         ///< V and d of the free coordinates, in their order
-    std::vector<std::array<R, 2>> turns;  ///< cosine and sine of the angles of the free coordinates' bodies
-    std::vector<R> numbers;               ///< of the free rows, and their factors
+    R t{};                                               ///< the time [s]
+    bool known = false;                                  ///< was anything found?
+    std::size_t number = 0;                              ///< counts places of new times
+    std::size_t moment = 0;                              ///< that of its time
+    std::vector<R> q;                                    ///< of all bodies
+    std::vector<R> z;                                    ///< the chart's functions there
+    std::vector<Columns> columns;                        ///< V and d of the free velocities, in their order
+    std::vector<typename In::Orientation> orientations;  ///< of bodies with a free velocity
+    std::vector<R> numbers;                              ///< of the free rows, and their factors
   };
 
   FoundPlaces(std::size_t bodies, std::size_t freedoms) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      places_[i].q.resize(3 * bodies);
+      places_[i].q.resize(In::coordinates * bodies);
       places_[i].z.resize(freedoms);
-      places_[i].turns.resize(bodies);
+      places_[i].orientations.resize(bodies);
       places_[i].moment = i;
     }
   }
 
   /// Takes the memory that the parts of a chart need, with so many groups of columns.
-  void resize(const typename ChartParts<R>::Part& prescribed, const typename ChartParts<R>::Part& free,
-              std::size_t groups) {
+  template <class Part>
+  void resize(const Part& prescribed, const Part& free, std::size_t groups) {
     for (Moment& each : moments_) {
       each.rates.assign(prescribed.size(), R(0));
       each.accelerations.assign(prescribed.size(), R(0));
-      each.frames.assign(prescribed.bodies.size(), PlanarFrame<R>(ground_motion<R>()));
+      each.frames.assign(prescribed.bodies.size(), In::ground());
       each.numbers.assign(prescribed.lu.storage(), R(0));
     }
     for (Place& each : places_) {
@@ -105,20 +105,5 @@ class FoundPlaces {
   std::size_t spare_ = 1;
   std::size_t counted_ = 0;
 };
-
-/// Turns a frame by a small angle from a cosine and a sine, to (x, y, φ) of q, by series whose next terms are below
-/// rounding. @returns false, and changes nothing, if the angle isn't below 1e-3
-template <class R>
-bool turn_frame(PlanarFrame<R>& frame, const R* q, const R& angle, const R c, const R s) {
-  if (!(angle < R(1e-3) && angle > R(-1e-3))) return false;
-  const R square = angle * angle;
-  const R sine = angle * (1 - square / 6 * (1 - square / 20));
-  const R versed = square / 2 * (1 - square / 12);
-  frame.position = Vector2<R>(q[0], q[1]);
-  frame.angle = q[2];
-  frame.cosine = c - (c * versed + s * sine);
-  frame.sine = s - (s * versed - c * sine);
-  return true;
-}
 
 }  // namespace lubjoint

@@ -11,44 +11,24 @@
 #include <vector>
 
 #include "lubjoint/motion/independent_ode.hpp"
-#include "lubjoint/motion/prescribed_motion.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/step_interpolant.hpp"
 
 namespace lubjoint {
 
-/// What steps in independent coordinates ask of equations in all coordinates. Those in space have their own.
-template <class Small>
-struct IndependentStates;
-
-/// In the plane: coordinates, then as many velocities.
-template <class R, std::size_t N>
-struct IndependentStates<IndependentOde<R, N>> {
-  using Equations = MultibodyOde<R>;  ///< in all coordinates
-  /// In which coordinates are comparable. @param tolerance  of all states
-  static std::vector<R> units(const MultibodyOde<R>& ode, const std::vector<R>& tolerance) {
-    return {tolerance.begin(), tolerance.begin() + static_cast<std::ptrdiff_t>(ode.system().coordinates())};
-  }
-  /// Tolerance of a function that is no eccentricity, or of its rate.
-  static R tolerance(const MultibodyOde<R>& ode, const CoordinateChart<R>& chart, std::size_t k, bool of_rate,
-                     const std::vector<R>& of_all) {
-    return of_all[(of_rate ? ode.system().coordinates() : 0) + chart.coordinate_of(k)];
-  }
-};
-
 /// An integrator of all states that makes its steps with another one in the functions of the present chart. States at
 /// the ends of steps fulfil the constraints to rounding. A chart that wears out is replaced between two steps.
-/// @tparam N  number of states in a chart's functions, or run_time_size
-/// @tparam Small  the equations in these functions
-template <class R, std::size_t N, class Small = IndependentOde<R, N>>
-class IndependentIntegrator final : public Integrator<R, run_time_size> {
+/// @tparam In  InPlane or InSpace;  @tparam N  number of states in a chart's functions, or run_time_size
+template <class In, std::size_t N>
+class IndependentIntegrator final : public Integrator<typename In::R, run_time_size> {
  public:
+  using R = typename In::R;                                               ///< the number
+  using Small = IndependentOde<In, N>;                                    ///< the equations in a chart's functions
   using Base = Integrator<R, run_time_size>;                              ///< what it is
   using Method = Integrator<R, N>;                                        ///< what it steps with
   using System = OdeSystem<R, run_time_size>;                             ///< in all coordinates
   using State = std::vector<R>;                                           ///< places, velocities, work
-  using States = IndependentStates<Small>;                                ///< what they are
-  using Equations = typename States::Equations;                           ///< of all states
+  using Equations = typename In::Equations;                               ///< of all states
   using FullTolerance = StepTolerance<R, run_time_size>;                  ///< of all states
   using Tolerance = StepTolerance<R, N>;                                  ///< of the chart's
   using Make = std::function<std::unique_ptr<Method>(const Tolerance&)>;  ///< makes the method
@@ -60,7 +40,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
         of_joints_(std::move(of_joints)),
         make_(std::move(make)),
         ode_(ode),
-        small_(ode, States::units(ode, tolerance_.absolute)) {
+        small_(ode, In::units(ode, tolerance_.absolute)) {
     Tolerance some = tolerance_of_chart();
     for (std::size_t i = 0; i < some.absolute.size(); ++i) some.absolute[i] = R(1);
     method_ = make_(some);
@@ -155,8 +135,7 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
   /// a tenth of the relative tolerance. What it does to the work of drivers then is within the tolerance.
   void resolve_drivers(const R& t, R& dt) const {
     using std::pow;
-    const R rounding = 16 * std::numeric_limits<R>::epsilon();  // of sines, times weights of one
-    const R allowed = std::max<R>(tolerance_.nominal / 10, rounding);
+    const R allowed = tolerance_.nominal / 10;
     for (int trial = 0; trial < most_trials; ++trial) {
       const R miss = prescribed_miss(ode_.system().constraints(), t, dt);
       if (!(miss > allowed)) return;
@@ -171,9 +150,9 @@ class IndependentIntegrator final : public Integrator<R, run_time_size> {
     const std::size_t f = small_.freedoms();
     for (std::size_t k = 0; chosen_ && k < f; ++k) {
       for (const std::size_t rate : {std::size_t(0), std::size_t(1)}) {
-        tolerance.absolute[rate * f + k] =
-            small_.chart().is_of_joint(k) ? of_joints_[small_.chart().joint_of(k)][rate]
-                                          : States::tolerance(ode_, small_.chart(), k, rate == 1, tolerance_.absolute);
+        tolerance.absolute[rate * f + k] = small_.chart().is_of_joint(k)
+                                               ? of_joints_[small_.chart().joint_of(k)][rate]
+                                               : In::tolerance(ode_, small_.chart(), k, rate == 1, tolerance_.absolute);
       }
     }
     const std::size_t works = ode_.mechanical_states();

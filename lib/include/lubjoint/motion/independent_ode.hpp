@@ -7,23 +7,27 @@
 #include <vector>
 
 #include "lubjoint/motion/independent_motion.hpp"
-#include "lubjoint/motion/multibody_ode.hpp"
 #include "lubjoint/motion/reduced_mass.hpp"
+#include "lubjoint/number/dual.hpp"
 
 namespace lubjoint {
 
-/// (z, ż) and, with a ledger, the work of each term, for the functions z = C(q) of a chart. With A = [Φq; C]:
-///   A V = [0; I],  A a = [γ; γ_C],  VᵀMV z̈ = Vᵀ(g − M a);  q̈ = a + V z̈;  Aᵀ[λ; 0] = g − M q̈.
-/// Derivatives are exact: q, q̇, z̈ and λ by implicit differentiation, with the factors at hand.
-/// @tparam N  number of states: twice the freedoms, and no ledger; or run_time_size
-template <class R, std::size_t N>
-class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R, N / 2> {
-  using Motion = IndependentMotion<R, N / 2>;
+/// (z, ż) and, with a ledger, the work of each term, for the functions z = C(q) of a chart. With A = [Φ_v; C_v] by the
+/// velocities v of all bodies (in the plane q̇, in space (ṙ, ω′)), their mass M and forces g, in which gyroscopic
+/// moments are:
+///   A V = [0; I],  A a = [γ; γ_C],  VᵀMV z̈ = Vᵀ(g − M a);  v̇ = a + V z̈;  Aᵀ[λ; 0] = g − M v̇.
+/// Derivatives are exact: q, v, z̈ and λ by implicit differentiation, with the factors at hand.
+/// @tparam In  InPlane or InSpace;  @tparam N  number of states: twice the freedoms, and no ledger; or run_time_size
+template <class In, std::size_t N>
+class IndependentOde final : public OdeSystem<typename In::R, N>, public IndependentMotion<In, N / 2> {
+  using Motion = IndependentMotion<In, N / 2>;
 
  public:
-  using State = StateOf<R, N>;        ///< (z, ż, work)
-  using Full = std::vector<R>;        ///< (q, q̇, work)
-  using Jacobian = JacobianOf<R, N>;  ///< of State
+  using R = typename In::R;                  ///< the number
+  using Equations = typename In::Equations;  ///< in all coordinates
+  using State = StateOf<R, N>;               ///< (z, ż, work)
+  using Full = std::vector<R>;               ///< (q, v, work)
+  using Jacobian = JacobianOf<R, N>;         ///< of State
   /// Derivatives in one pass.
   static constexpr int width = N == run_time_size ? 4 : static_cast<int>(N);
   using Seeded = Dual<R, width>;  ///< a number with them
@@ -31,26 +35,25 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
   using Motion::freedoms;
 
   /// @param ode  whose equations these are, with what its joints remember; kept by reference
-  /// @param units  in which the coordinates are comparable, such as their tolerances
-  IndependentOde(MultibodyOde<R>& ode, const std::vector<R>& units)
+  /// @param units  in which displacements are comparable, such as tolerances of coordinates
+  IndependentOde(Equations& ode, const std::vector<R>& units)
       : Motion(ode.system(), units, ode.dimension()),
         ode_(ode),
         dual_(system_.template workspace<Seeded>()),
+        mass_(ode.system()),
         reduced_(freedoms()),
         seeded_(ode.dimension()),
         seeded_functions_(freedoms()),
         right_slopes_(n_),
         slopes_(n_),
         slopes_work_(3 * n_),
-        q_slopes_(n_),
+        v_slopes_(n_),
         reduced_slopes_(freedoms()) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      const PlanarBody<R>& body = system_.bodies()[i / 3];
-      masses_.push_back(i % 3 == 2 ? body.inertia : body.mass);
-    }
+    In::hold_tables(ode, w_);
+    In::hold_tables(ode, dual_);
   }
 
-  std::size_t dimension() const { return 2 * freedoms() + ode_.dimension() - 2 * n_; }  ///< number of states
+  std::size_t dimension() const { return 2 * freedoms() + ode_.dimension() - works_begin(); }  ///< number of states
 
   /// As IndependentMotion.
   void choose(const R& t, const Full& y) {
@@ -62,44 +65,44 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
     }
   }
 
-  /// (z, ż, work) of a whole state, from whose coordinates the next search starts.
+  /// (z, ż, work) of a whole state, from whose places the next search starts.
   void take(const Full& y, State& x) {
     start_from(y);
     system_.place(y_.data(), w_);
-    chart_.evaluate(y_.data(), w_, functions_.data());
+    chart_.evaluate(w_, functions_.data());
     const std::size_t f = freedoms();
     if constexpr (N == run_time_size) x.resize(dimension());
     for (std::size_t k = 0; k < f; ++k) {
       x[k] = functions_[k].value;
-      x[f + k] = along(functions_[k], k, y_.data() + n_);
+      x[f + k] = along(functions_[k], k, y_.data() + places_end_);
     }
-    for (std::size_t i = 2 * n_; i < y.size(); ++i) x[2 * f + i - 2 * n_] = y[i];
+    for (std::size_t i = works_begin(); i < y.size(); ++i) x[2 * f + i - works_begin()] = y[i];
   }
 
   /// The whole state. @throws SingularConstraints where no places near the last ones fulfil the constraints
   void expand(const R& t, const State& x, Full& y) {
     follow(t, x);
-    for (std::size_t i = 2 * n_; i < y_.size(); ++i) y_[i] = x[2 * freedoms() + i - 2 * n_];
+    for (std::size_t i = works_begin(); i < y_.size(); ++i) y_[i] = x[2 * freedoms() + i - works_begin()];
     y = y_;
   }
 
-  /// Rates of the whole state of the last expansion, from those of (z, ż, work).
+  /// Rates of the whole state of the last expansion, from those of (z, ż, work): of its velocities and works.
   void expand_rate(const State& x_rate, Full& y_rate) {
     const std::size_t f = freedoms();
-    accelerate_unmoved(y_rate.data() + n_);
-    add_along(latest(), x_rate.data() + f, y_rate.data() + n_);
-    for (std::size_t i = 2 * n_; i < y_rate.size(); ++i) y_rate[i] = x_rate[2 * f + i - 2 * n_];
+    accelerate_unmoved(y_rate.data() + places_end_);
+    add_along(latest(), x_rate.data() + f, y_rate.data() + places_end_);
+    for (std::size_t i = works_begin(); i < y_rate.size(); ++i) y_rate[i] = x_rate[2 * f + i - works_begin()];
   }
   /// The rates of (z, ż, work) in those of the whole state of the last expansion.
   void take_rate(const Full& y_rate, State& x_rate) {
     const std::size_t f = freedoms();
     if constexpr (N == run_time_size) x_rate.resize(dimension());
-    chart_.evaluate(y_.data(), w_, functions_.data());
+    chart_.evaluate(w_, functions_.data());
     for (std::size_t k = 0; k < f; ++k) {
-      x_rate[k] = along(functions_[k], k, y_.data() + n_);
-      x_rate[f + k] = along(functions_[k], k, y_rate.data() + n_) - functions_[k].gamma;
+      x_rate[k] = along(functions_[k], k, y_.data() + places_end_);
+      x_rate[f + k] = along(functions_[k], k, y_rate.data() + places_end_) - functions_[k].gamma;
     }
-    for (std::size_t i = 2 * n_; i < y_rate.size(); ++i) x_rate[2 * f + i - 2 * n_] = y_rate[i];
+    for (std::size_t i = works_begin(); i < y_rate.size(); ++i) x_rate[2 * f + i - works_begin()] = y_rate[i];
   }
 
   void rate(const State& x, State& dxdt, const R& t) override {
@@ -114,24 +117,30 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
     if constexpr (N == run_time_size) {
       if (ode_.with_ledger()) {
         find_multipliers();
-        system_.evaluate_constraints(t, w_);
-        ode_.fill_powers(t, y_, w_, &dxdt[2 * f]);
+        In::evaluate_constraints(system_, t, w_);
+        In::fill_powers(ode_, t, y_, w_, &dxdt[2 * f]);
       }
     }
   }
 
-  void jacobian(const State& x, Jacobian& j, const R& t) override {
+  /// λ of all rows of Φ at a state; 0 of those that are left out.
+  const std::vector<R>& multipliers(const State& x, const R& t) {
     follow(t, x);
     accelerate(t);
     find_multipliers();
+    return w_.multipliers;
+  }
+
+  void jacobian(const State& x, Jacobian& j, const R& t) override {
+    multipliers(x, t);
     const std::size_t f = freedoms();
     const std::size_t states = x.size();
     if constexpr (N == run_time_size) j.setZero(index(states), index(states));
     for (std::size_t start = 0; start < 2 * f; start += width) {
       const std::size_t end = std::min<std::size_t>(2 * f, start + width);
-      for (Slopes& each : q_slopes_) each.setZero();
+      for (Slopes& each : v_slopes_) each.setZero();
       for (std::size_t i = 0; i < free().size(); ++i) {
-        Slopes& slopes = q_slopes_[free().columns[i]];
+        Slopes& slopes = v_slopes_[free().columns[i]];
         for (std::size_t k = start; k < std::min(end, f); ++k) slopes(index(k - start)) = column(latest(), k, i);
       }
       const auto z_rate_slope = [&](std::size_t k) {
@@ -152,13 +161,11 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
   }
 
   void time_slope(const State& x, State& slope, const R& t) override {
-    follow(t, x);
-    accelerate(t);
-    find_multipliers();
+    multipliers(x, t);
     const std::size_t f = freedoms();
-    for (Slopes& each : q_slopes_) each.setZero();
-    for (std::size_t i = 0; i < prescribed().size(); ++i) q_slopes_[prescribed().columns[i]](0) = moment().rates[i];
-    for (std::size_t i = 0; i < free().size(); ++i) q_slopes_[free().columns[i]](0) = column(latest(), f, i);
+    for (Slopes& each : v_slopes_) each.setZero();
+    for (std::size_t i = 0; i < prescribed().size(); ++i) v_slopes_[prescribed().columns[i]](0) = moment().rates[i];
+    for (std::size_t i = 0; i < free().size(); ++i) v_slopes_[free().columns[i]](0) = column(latest(), f, i);
     fill(Seeded::variable(t, 0), [](std::size_t) -> Slopes { return Slopes::Zero(); });
     for (std::size_t k = 0; k < f; ++k) {
       slope[k] = R(0);
@@ -185,6 +192,7 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
   using Motion::moment;
   using Motion::n_;
   using Motion::numbers;
+  using Motion::places_end_;
   using Motion::prescribed;
   using Motion::residual_;
   using Motion::speeds_;
@@ -199,123 +207,133 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
 
   static constexpr std::size_t not_chosen = std::numeric_limits<std::size_t>::max();
 
-  /// z̈ and q̈ at the place of the last follow.
+  /// Where works begin in a whole state.
+  std::size_t works_begin() const { return places_end_ + n_; }
+  const typename In::Memory& memory() const { return std::as_const(ode_).memory(); }  ///< of the joints
+
+  /// z̈ and v̇ at the place of the last follow.
   void accelerate(const R& t) {
-    if (accelerated_ && ode_.memory().empty()) return;
+    if (accelerated_ && memory().empty()) return;
     const std::size_t f = freedoms();
     // A film's eccentricity is a state itself: the difference of two positions would have their rounding, 1e-13 of a
     // clearance at each evaluation anew, and a stiff film would multiply it.
-    system_.apply_forces(ode_.memory(), w_, [this](std::size_t joint, JointKinematics<R>& at) {
+    In::apply_forces(system_, t, memory(), w_, [this](std::size_t joint, auto& at) {
       const std::size_t k = function_of_joint_[joint];
       if (k == not_chosen) return;
       at.motion.eccentricity = Vector2<R>(latest().z[k], latest().z[k + 1]);
       at.motion.velocity = Vector2<R>(speeds_[k], speeds_[k + 1]);
     });
-    if (!w_.slides.empty()) {  // their forces hold journals on lines: by the whole equations
-      system_.evaluate(t, y_.data(), ode_.memory(), w_);
-      chart_.evaluate(y_.data(), w_, functions_.data());
-      for (std::size_t k = 0; k < f; ++k)
-        accelerations_[k] = along(functions_[k], k, w_.accelerations.data()) - functions_[k].gamma;
+    R* a = w_.accelerations.data();
+    if (In::slides(w_)) {  // their forces hold journals on lines: by the whole equations
+      system_.evaluate(t, y_.data(), memory(), w_);
+      chart_.evaluate(w_, functions_.data());
+      for (std::size_t k = 0; k < f; ++k) accelerations_[k] = along(functions_[k], k, a) - functions_[k].gamma;
     } else {
-      if (system_.has_elements()) system_.apply_elements(t, w_);
-      R* a = w_.accelerations.data();
       accelerate_unmoved(a);
+      const std::vector<std::size_t>& velocities = free().columns;
       reduced_.factorise(
-          free().size(), [this](std::size_t i) { return masses_[free().columns[i]]; }, latest().columns.data());
-      project([this, a](std::size_t c) { return R(w_.forces[c] - masses_[c] * a[c]); }, accelerations_.data());
+          free().size(),
+          [&](std::size_t i, const Columns* v) {
+            return mass_.template row<Columns>(velocities[i], [&](std::size_t c) -> const Columns& {
+              return v[i + c - velocities[i]];  // velocities of a body that M couples are neighbours
+            });
+          },
+          latest().columns.data());
+      project(
+          [this, a](std::size_t c) {
+            return R(w_.forces[c] - mass_.template row<R>(c, [a](std::size_t k) -> const R& { return a[k]; }));
+          },
+          accelerations_.data());
       reduced_.solve(accelerations_.data());
       add_along(latest(), accelerations_.data(), a);
     }
     accelerated_ = true;
   }
 
-  /// Vᵀ x, x(c) that of coordinate c.
+  /// Vᵀ x, x(c) that of velocity c.
   template <class At, class V>
   void project(const At& x, V* out) const {
     const std::size_t f = freedoms();
     const Place& place = latest();
-    const std::vector<std::size_t>& coordinates = free().columns;
-    const V zero = x(coordinates[0]) - x(coordinates[0]);
+    const std::vector<std::size_t>& velocities = free().columns;
+    const V zero = x(velocities[0]) - x(velocities[0]);
     for (std::size_t k = 0; k < f; ++k) out[k] = zero;
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-      const V here = x(coordinates[i]);
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+      const V here = x(velocities[i]);
       for (std::size_t k = 0; k < f; ++k) out[k] += column(place, k, i) * here;
     }
   }
 
-  /// λ at the place of the last accelerate.
+  /// λ at the place of the last accelerate; those of rows that are left out stay 0.
   void find_multipliers() {
-    if (!w_.slides.empty()) return;  // the whole equations have found them
-    for (std::size_t i = 0; i < n_; ++i) residual_[i] = w_.forces[i] - masses_[i] * w_.accelerations[i];
+    if (In::slides(w_)) return;  // the whole equations have found them
+    const auto a = [this](std::size_t k) -> const R& { return w_.accelerations[k]; };
+    for (std::size_t i = 0; i < n_; ++i) residual_[i] = w_.forces[i] - mass_.template row<R>(i, a);
     chart_.parts().solve_transposed(numbers(), residual_.data(), step_.data(), work_.data());
-    std::copy(step_.begin(), step_.begin() + static_cast<std::ptrdiff_t>(m_), w_.multipliers.begin());
+    for (std::size_t i = 0; i < m_; ++i) w_.multipliers[In::system_row(system_, i)] = step_[i];
   }
 
-  /// Derivatives of z̈, into reduced_slopes_, and of the powers, from those of q at fixed ż, which are in q_slopes_, and
-  /// of ż. At the place of the last accelerate, with its multipliers. What is prescribed depends on the time alone.
+  /// Derivatives of z̈, into reduced_slopes_, and of the powers, from those of displacements at fixed ż, which are in
+  /// v_slopes_, and of ż. At the place of the last accelerate, with its multipliers. What is prescribed depends on the
+  /// time alone.
   template <class Time, class RateSlope>
   void fill(const Time& t, const RateSlope& z_rate_slope) {
     const std::size_t f = freedoms();
     const bool whole = !std::is_same_v<Time, R> || ode_.with_ledger();
-    // q̇: d(A) q̇ + A dq̇ = [−dΦt; dż].
-    for (std::size_t i = 0; i < n_; ++i) {
-      seeded_[i] = Seeded(y_[i], q_slopes_[i]);
-      seeded_[n_ + i] = Seeded(y_[n_ + i]);
+    // v: d(A) v + A dv = [−dΦ_t; dż].
+    Seeded* v = seeded_.data() + places_end_;
+    for (std::size_t i = 0; i < n_; ++i) v[i] = Seeded(y_[places_end_ + i]);
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const std::size_t first = In::coordinates * b;
+      In::seed(w_.frames[b], y_.data() + first, v_slopes_.data() + In::velocities * b, seeded_.data() + first,
+               dual_.frames[b]);
     }
-    place_seeded();
+    move_seeded();
     evaluate_rows(t, whole);
-    for_each_row(whole,
-                 [&](std::size_t row) { right_slopes_[row] = -system_.constraint_rate(row, dual_).derivatives(); });
+    for_each_row(whole, [&](std::size_t row) {
+      right_slopes_[row] = -system_.constraint_rate(In::system_row(system_, row), dual_).derivatives();
+    });
     for (std::size_t k = 0; k < f; ++k)
-      right_slopes_[m_ + k] = z_rate_slope(k) - along(seeded_functions_[k], k, seeded_.data() + n_).derivatives();
+      right_slopes_[m_ + k] = z_rate_slope(k) - along(seeded_functions_[k], k, v).derivatives();
     solve_slopes(whole, slopes_);
-    for (std::size_t i = 0; i < n_; ++i) seeded_[n_ + i].derivatives() = slopes_[i];
-    if (!w_.slides.empty()) {
-      system_.evaluate(t, seeded_.data(), ode_.memory(), dual_);
-      chart_.evaluate(seeded_.data(), dual_, seeded_functions_.data());
+    for (std::size_t i = 0; i < n_; ++i) v[i].derivatives() = slopes_[i];
+    if (In::slides(w_)) {
+      system_.evaluate(t, seeded_.data(), memory(), dual_);
+      chart_.evaluate(dual_, seeded_functions_.data());
       for (std::size_t k = 0; k < f; ++k)
         reduced_slopes_[k] =
             (along(seeded_functions_[k], k, dual_.accelerations.data()) - seeded_functions_[k].gamma).derivatives();
     } else {
-      place_seeded();
-      system_.apply_forces(ode_.memory(), dual_);
-      if (system_.has_elements()) system_.apply_elements(t, dual_);
+      move_seeded();
+      In::apply_forces(system_, t, memory(), dual_, [](std::size_t, const auto&) {});
       evaluate_rows(t, whole);
       differentiate_accelerations(whole);
     }
     if (ode_.with_ledger()) {
       powers_.resize(ode_.works());
-      ode_.fill_powers(t, seeded_, dual_, powers_.data());
+      In::fill_powers(ode_, t, seeded_, dual_, powers_.data());
     }
   }
 
-  /// Frames of seeded_, whose cosines and sines are those of w_'s.
-  void place_seeded() {
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
-      const Seeded* q = seeded_.data() + 3 * b;
-      const Seeded* v = q + n_;
-      PlanarFrame<Seeded>& frame = dual_.frames[b];
-      frame.position = Vector2<Seeded>(q[0], q[1]);
-      frame.angle = q[2];
-      frame.velocity = Vector2<Seeded>(v[0], v[1]);
-      frame.spin = v[2];
-      frame.cosine = Seeded(w_.frames[b].cosine, Slopes(-w_.frames[b].sine * q[2].derivatives()));
-      frame.sine = Seeded(w_.frames[b].sine, Slopes(w_.frames[b].cosine * q[2].derivatives()));
-    }
+  /// Gives the frames of seeded_ its velocities.
+  void move_seeded() {
+    const Seeded* v = seeded_.data() + places_end_;
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b)
+      In::give_velocities(dual_.frames[b], v + In::velocities * b);
   }
 
   /// Rows at these: all, or those that are not prescribed.
   template <class Time>
   void evaluate_rows(const Time& t, bool whole) {
     if (whole) {
-      system_.evaluate_constraints(t, dual_);
+      In::evaluate_constraints(system_, t, dual_);
     } else {
       for (const std::size_t c : free().constraints) system_.evaluate_constraint(c, t, dual_);
     }
-    chart_.evaluate(seeded_.data(), dual_, seeded_functions_.data());
+    chart_.evaluate(dual_, seeded_functions_.data());
   }
 
-  /// Calls act(row) for those of constraints.
+  /// Calls act(row of A) for those of constraints.
   template <class Act>
   void for_each_row(bool whole, const Act& act) const {
     if (whole) {
@@ -340,56 +358,63 @@ class IndependentOde final : public OdeSystem<R, N>, public IndependentMotion<R,
     for (std::size_t i = 0; i < n; ++i) x[free().columns[i]] = found[i];
   }
 
-  /// With q̈ and λ held, A dq̈ = [dγ − dΦq q̈; dz̈ + dγ_C − dC q̈] and Vᵀ(M dq̈ + dΦqᵀ λ − dg) = 0.
+  /// With v̇ and λ held, A dv̇ = [dγ − dΦ_v v̇; dz̈ + dγ_C − dC_v v̇] and Vᵀ(M dv̇ + dΦ_vᵀ λ − dg) = 0.
   void differentiate_accelerations(bool whole) {
     const std::size_t f = freedoms();
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] = dual_.forces[i].derivatives();
-    const auto side = [&](std::size_t row, std::size_t body, const std::array<Seeded, 3>& columns) {
+    const auto side = [&](std::size_t row, std::size_t body, const auto& columns, const R& lambda) {
       if (body == ground_body) return;
-      for (std::size_t c = 0; c < 3; ++c) {
-        right_slopes_[row] -= w_.accelerations[3 * body + c] * columns[c].derivatives();
-        if (row < m_) slopes_[3 * body + c] -= w_.multipliers[row] * columns[c].derivatives();
+      const std::size_t first = In::velocities * body;
+      for (std::size_t c = 0; c < In::velocities; ++c) {
+        right_slopes_[row] -= w_.accelerations[first + c] * columns[c].derivatives();
+        if (row < m_) slopes_[first + c] -= lambda * columns[c].derivatives();
       }
     };
     for_each_row(whole, [&](std::size_t row) {
-      right_slopes_[row] = dual_.rows[row].gamma.derivatives();
-      side(row, system_.first_body_of_row(row), dual_.rows[row].first);
-      side(row, system_.second_body_of_row(row), dual_.rows[row].second);
+      const std::size_t number = In::system_row(system_, row);
+      const auto& from = dual_.rows[number];
+      right_slopes_[row] = from.gamma.derivatives();
+      side(row, system_.first_body_of_row(number), from.first, w_.multipliers[number]);
+      side(row, system_.second_body_of_row(number), from.second, w_.multipliers[number]);
     });
     for (std::size_t k = 0; k < f; ++k) {
       right_slopes_[m_ + k] = seeded_functions_[k].gamma.derivatives();
       const auto [first, second] = chart_.bodies_of(k);
-      side(m_ + k, first, seeded_functions_[k].first);
-      side(m_ + k, second, seeded_functions_[k].second);
+      side(m_ + k, first, seeded_functions_[k].first, R(0));
+      side(m_ + k, second, seeded_functions_[k].second, R(0));
     }
-    solve_slopes(whole, q_slopes_);  // of q̈ without dz̈
-    for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= masses_[i] * q_slopes_[i];
+    solve_slopes(whole, v_slopes_);  // of v̇ without dz̈
+    const auto dv = [this](std::size_t i) -> const Slopes& { return v_slopes_[i]; };
+    for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= mass_.template row<Slopes>(i, dv);
     project([this](std::size_t c) -> const Slopes& { return slopes_[c]; }, reduced_slopes_.data());
     reduced_.solve(reduced_slopes_.data());
     if (!ode_.with_ledger()) return;
+    for (Slopes& each : right_slopes_) each.setZero();
     for (std::size_t i = 0; i < free().size(); ++i) {
       const std::size_t c = free().columns[i];
-      for (std::size_t k = 0; k < f; ++k) {
-        const Slopes part = column(latest(), k, i) * reduced_slopes_[k];
-        q_slopes_[c] += part;
-        slopes_[c] -= masses_[c] * part;
-      }
+      for (std::size_t k = 0; k < f; ++k) right_slopes_[c] += column(latest(), k, i) * reduced_slopes_[k];
+      v_slopes_[c] += right_slopes_[c];
     }
+    const auto of_freedoms = [this](std::size_t i) -> const Slopes& { return right_slopes_[i]; };
+    for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= mass_.template row<Slopes>(i, of_freedoms);
     chart_.parts().solve_transposed(numbers(), slopes_.data(), right_slopes_.data(), slopes_work_.data());
-    for (std::size_t i = 0; i < n_; ++i) dual_.accelerations[i] = Seeded(w_.accelerations[i], q_slopes_[i]);
-    for (std::size_t row = 0; row < m_; ++row) dual_.multipliers[row] = Seeded(w_.multipliers[row], right_slopes_[row]);
+    for (std::size_t i = 0; i < n_; ++i) dual_.accelerations[i] = Seeded(w_.accelerations[i], v_slopes_[i]);
+    for (std::size_t row = 0; row < m_; ++row) {
+      const std::size_t number = In::system_row(system_, row);
+      dual_.multipliers[number] = Seeded(w_.multipliers[number], right_slopes_[row]);
+    }
   }
 
-  MultibodyOde<R>& ode_;
-  SystemWorkspace<Seeded> dual_;
+  Equations& ode_;
+  typename In::template Workspace<Seeded> dual_;
   std::vector<std::size_t> function_of_joint_;  ///< the first of the two that are its eccentricity, or not_chosen
-  std::vector<R> masses_;                       ///< of every coordinate
+  typename In::Mass mass_;                      ///< M
 
   // Work, kept so that no evaluation allocates.
   ReducedMass<R, N / 2, Columns> reduced_;  ///< VᵀMV
   std::vector<Seeded> seeded_;
-  std::vector<ConstraintRow<Seeded>> seeded_functions_;
-  std::vector<Slopes> right_slopes_, slopes_, slopes_work_, q_slopes_, reduced_slopes_;
+  std::vector<typename In::template Row<Seeded>> seeded_functions_;
+  std::vector<Slopes> right_slopes_, slopes_, slopes_work_, v_slopes_, reduced_slopes_;
   std::vector<Seeded> powers_;
 };
 

@@ -40,6 +40,11 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   std::vector<JointMemory<R>>& memory() { return memory_; }
   const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise
 
+  /// Of the tables of moving loads, one a load. Equations that are integrated read those that are held; looks at a
+  /// state read what it says.
+  std::vector<TablePiece>& table_pieces() { return table_pieces_; }
+  const std::vector<TablePiece>& table_pieces() const { return table_pieces_; }  ///< likewise
+
   /// ẏ; counted.
   void rate(const State& y, State& dydt, const R& t) override;
   /// ∂ẏ/∂y, exact.
@@ -108,6 +113,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
  private:
   template <class T, class Time>
   void fill(const Time& t, const std::vector<T>& y, std::vector<T>& dydt, SystemWorkspace<T>& w) const {
+    w.table_pieces = &table_pieces_;
     system_.evaluate(t, y.data(), memory_, w);
     const std::size_t n = system_.coordinates();
     for (std::size_t i = 0; i < n; ++i) {
@@ -122,7 +128,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   [[gnu::noinline]] void add_element_powers(const Time& t, const SystemWorkspace<T>& w, T* power) const {
     const ForceElements<R>& elements = system_.elements();
     const auto frame = [&](std::size_t body) -> const PlanarFrame<T>& { return system_.frame(body, w); };
-    power[static_cast<std::size_t>(LedgerTerm::loads)] += elements.template load_power<T>(t, frame);
+    power[static_cast<std::size_t>(LedgerTerm::loads)] += elements.template load_power<T>(t, frame, w.table_pieces);
     if (elements.has_dampers())
       power[static_cast<std::size_t>(LedgerTerm::dampers)] = elements.template damper_power<T>(frame);
   }
@@ -134,6 +140,7 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   SystemWorkspace<Seeded> dual_;
   RunTimeJacobian<jacobian_group, R> derivatives_;
   std::vector<JointMemory<R>> memory_;
+  std::vector<TablePiece> table_pieces_;
   std::size_t evaluations_ = 0;
 };
 
@@ -145,7 +152,8 @@ MultibodyOde<R>::MultibodyOde(const PlanarSystem<R>& system, bool with_ledger)
     : system_(system),
       with_ledger_(with_ledger),
       real_(system.template workspace<R>()),
-      dual_(system.template workspace<Seeded>()) {
+      dual_(system.template workspace<Seeded>()),
+      table_pieces_(system.elements().loads.size()) {
   bool jumps = false;
   for (const JointElement<R>& joint : system.joints()) {
     has_contact_ = has_contact_ || joint.has_contact();
@@ -173,6 +181,7 @@ void MultibodyOde<R>::time_slope(const State& y, State& slope, const R& t) {
 
 template <class R>
 const SystemWorkspace<R>& MultibodyOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+  real_.table_pieces = nullptr;
   system_.evaluate(t, y.data(), memory, real_);
   return real_;
 }

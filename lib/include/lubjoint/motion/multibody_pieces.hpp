@@ -43,7 +43,7 @@ class MultibodyPieces {
 
   /// @param tolerance  within which a journal that slides is kept on its line, in clearances
   MultibodyPieces(MultibodyOde<R>& ode, ConstraintUpkeep upkeep, const R& tolerance)
-      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(ode.system()) {
+      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(ode.system(), ode.table_pieces()) {
     const std::vector<JointElement<R>>& joints = ode.system().joints();
     for (std::size_t j = 0; j < joints.size(); ++j) {
       if (joints[j].has_contact() || joints[j].has_half_film()) watched_.push_back(j);

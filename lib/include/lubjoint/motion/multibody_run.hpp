@@ -13,6 +13,7 @@
 #include "lubjoint/motion/multibody_stops.hpp"
 #include "lubjoint/motion/singular_watch.hpp"
 #include "lubjoint/motion/spring_watch.hpp"
+#include "lubjoint/motion/watched_springs.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/run/event_run.hpp"
 
@@ -48,7 +49,7 @@ class MultibodyRun {
         engine_(pieces_, *method_, settings_, outcome_, guard_),
         recorder_(ode, settings, method_->looks_inside(), options_.sensors),
         watch_(ode, settings.relative_tolerance),
-        springs_(ode, settings.relative_tolerance, method_->looks_inside()),
+        springs_(PlanarSprings<R>(ode), settings.relative_tolerance, method_->looks_inside()),
         branch_(ode) {}
 
   /// The parts of a run refer to each other.
@@ -206,7 +207,7 @@ class MultibodyRun {
   EventRun<MultibodyPieces<R>> engine_;
   MultibodyRecorder<R> recorder_;
   SingularWatch<R> watch_;
-  SpringWatch<R> springs_;
+  SpringWatch<R, PlanarSprings<R>> springs_;
   BranchWatch<R> branch_;
   std::optional<double> left_branch_;         ///< where
   std::optional<SingularPosition> singular_;  ///< that the run passed

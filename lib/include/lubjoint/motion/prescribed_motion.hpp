@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -26,17 +27,19 @@ std::array<Vector2<R>, 3> prescribed(const DrivenMotion<R>& f) {
   }
 }
 
-/// How far the quintic through f at both ends of a step, with rates and accelerations, is from it in the middle: of a
-/// unit vector, or of a way over its larger end.
-/// @param motion  motion(t) is f with its derivatives
-template <bool Turns, class Motion, class R>
-R quintic_miss(const Motion& motion, const R& t, const R& dt) {
+/// How far the quintic through f at both ends of a step, with rates and accelerations, is from it in the middle, beyond
+/// rounding: of a unit vector, or of a way by the sizes of its terms, which do not pass 0 with it.
+/// @param motion  motion(t) is f with its derivatives;  @param terms  terms(t): the sum of its terms' sizes
+template <bool Turns, class Motion, class Terms, class R>
+R quintic_miss(const Motion& motion, const Terms& terms, const R& t, const R& dt) {
   const std::array<Vector2<R>, 3> a = prescribed<Turns, R>(motion(t));
   const std::array<Vector2<R>, 3> b = prescribed<Turns, R>(motion(R(t + dt)));
   const Vector2<R> quintic = (a[0] + b[0]) / 2 + (5 * dt / 32) * (a[1] - b[1]) + (dt * dt / 64) * (a[2] + b[2]);
   const R miss = (prescribed<Turns, R>(motion(R(t + dt / 2)))[0] - quintic).norm();
-  const R size = std::max<R>(a[0].norm(), b[0].norm());
-  return size > 0 ? R(miss / size) : R(0);
+  const R of_terms = std::max<R>(terms(t), terms(R(t + dt)));
+  const R rounding = 16 * std::numeric_limits<R>::epsilon() * (Turns ? std::max<R>(R(1), of_terms) : of_terms);
+  const R beyond = std::max<R>(R(0), R(miss - rounding));
+  return Turns || !(of_terms > 0) ? beyond : R(beyond / of_terms);
 }
 
 }  // namespace detail
@@ -50,7 +53,8 @@ R prescribed_miss(const std::vector<NamedConstraint<R>>& constraints, const R& t
         [&]<class Constraint>(const Constraint& driver) {
           if constexpr (requires { Constraint::turns; }) {
             const auto motion = [&](const R& at) { return driver.motion(at); };
-            worst = std::max<R>(worst, detail::quintic_miss<Constraint::turns>(motion, t, dt));
+            const auto terms = [&](const R& at) { return driver.size_of_terms(at); };
+            worst = std::max<R>(worst, detail::quintic_miss<Constraint::turns>(motion, terms, t, dt));
           }
         },
         each.constraint);

@@ -20,17 +20,17 @@ class ReducedMass {
  public:
   explicit ReducedMass(std::size_t freedoms) : f_(freedoms), factors_(freedoms * freedoms) {}
 
-  /// @param n  rows of V;  @param mass  mass(i) of row i, M's diagonal
+  /// @param n  rows of V;  @param weigh  weigh(i, v): row i of M times a group of columns v
   /// @param columns  V: the first group of columns at every row, then the next group. @throws SingularConstraints
-  template <class Mass>
-  void factorise(std::size_t n, const Mass& mass, const Columns* columns) {
+  template <class Weigh>
+  void factorise(std::size_t n, const Weigh& weigh, const Columns* columns) {
     if constexpr (Freedoms != run_time_size) {
       std::array<R, Freedoms*(Freedoms + 1) / 2> sums{};  // a triangle, row by row
       for (std::size_t i = 0; i < n; ++i) {
+        const Columns weighted = weigh(i, columns);
         std::size_t at = 0;
         for (std::size_t k = 0; k < Freedoms; ++k) {
-          const R weighted = mass(i) * columns[i](index(k));
-          for (std::size_t l = 0; l <= k; ++l) sums[at++] += weighted * columns[i](index(l));
+          for (std::size_t l = 0; l <= k; ++l) sums[at++] += weighted(index(k)) * columns[i](index(l));
         }
       }
       std::size_t at = 0;
@@ -42,7 +42,7 @@ class ReducedMass {
         for (std::size_t h = 0; h <= g; ++h) {
           Eigen::Array<R, group, group> block = Eigen::Array<R, group, group>::Zero();
           for (std::size_t i = 0; i < n; ++i) {
-            const Columns weighted = mass(i) * columns[g * n + i];
+            const Columns weighted = weigh(i, columns + g * n);
             for (std::size_t l = 0; l < group; ++l) block.col(index(l)) += weighted * columns[h * n + i](index(l));
           }
           for (std::size_t k = g * group; k < std::min<std::size_t>(f_, (g + 1) * group); ++k) {

@@ -21,7 +21,8 @@ R prescribed_miss(const std::vector<NamedSpatialConstraint<R>>& constraints, con
             const auto motion = [&](const R& at) {
               return DrivenMotion<R>{driver.motion.place(at), driver.motion.rate(at), driver.motion.acceleration};
             };
-            worst = std::max<R>(worst, detail::quintic_miss<!Constraint::is_length(0)>(motion, t, dt));
+            const auto terms = [&](const R& at) { return driver.motion.size_of_terms(at); };
+            worst = std::max<R>(worst, detail::quintic_miss<!Constraint::is_length(0)>(motion, terms, t, dt));
           }
         },
         each.constraint);

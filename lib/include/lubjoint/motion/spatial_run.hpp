@@ -2,12 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lubjoint/motion/spatial_pieces.hpp"
 #include "lubjoint/motion/spatial_recorder.hpp"
+#include "lubjoint/motion/spatial_watched_springs.hpp"
+#include "lubjoint/motion/spring_watch.hpp"
 #include "lubjoint/motion/stop_words.hpp"
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/run/event_run.hpp"
@@ -32,7 +35,8 @@ class SpatialRun {
         method_(std::move(method)),
         pieces_(ode, upkeep, resolution.angle / 20),
         engine_(pieces_, *method_, settings_, outcome_, guard_),
-        recorder_(ode, settings, method_->looks_inside(), resolution, sensors) {}
+        recorder_(ode, settings, method_->looks_inside(), resolution, sensors),
+        springs_(SpatialSprings<R>(ode.system()), settings.relative_tolerance, method_->looks_inside()) {}
 
   /// The parts of a run refer to each other.
   SpatialRun(const SpatialRun&) = delete;
@@ -46,6 +50,7 @@ class SpatialRun {
     R dt(1e-6 * settings_.duration);
     pieces_.start(t_, y_);
     recorder_.start(t_, y_);
+    springs_.start(y_);
     const RunResult result = engine_.run(t_, y_, dt, [this](const auto& accepted, const auto&, const auto&) {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
@@ -55,11 +60,15 @@ class SpatialRun {
       if (is_implicit() && accepted.shortened) step->smooth_rates = false;
       try {
         recorder_.step(step, by_method());
+      } catch (const SpringWithoutDirection&) {
+        spring_ = springs_.step(step, by_method());
+        return false;
       } catch (const std::domain_error&) {  // its ends are inside a film, and what lies between them is not
         leaves_film_ = true;
         return false;
       }
-      return recorder_.is_redundant_still();
+      spring_ = springs_.step(step, by_method());
+      return !spring_ && recorder_.is_redundant_still();
     });
     if (result.end != RunEnd::duration_reached) stop(result);
     recorder_.finish(t_, y_);
@@ -147,6 +156,8 @@ class SpatialRun {
   }
 
   std::string reason(const RunResult& result) {
+    if (spring_) return springs_.words(*spring_);
+    if (const auto here = springs_.at(t_, y_)) return springs_.words(*here);
     if (result.end == RunEnd::refused && !leaves_film_) return left_out_words();
     const Nearest near = nearest();
     const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name() + "\""; };
@@ -224,6 +235,8 @@ class SpatialRun {
   StallGuard<R> guard_;
   EventRun<SpatialPieces<R>> engine_;
   SpatialRecorder<R> recorder_;
+  SpringWatch<R, SpatialSprings<R>> springs_;
+  std::optional<SpringAtZero> spring_;  ///< where the run met one
   bool leaves_film_ = false;
   State y_;
   R t_{};

@@ -13,8 +13,9 @@
 
 namespace lubjoint {
 
-/// The interval of each table that a run is in. A body that turns either way meets the knot at the end that it turns
-/// to.
+/// The piece of each table that a run is in, which its equations hold: a stage of a step that ends at a knot may lie a
+/// little beyond it, and would read the next piece by as much. A body that turns either way meets the knot at the end
+/// that it turns to.
 template <class R>
 class TableKnots {
  public:
@@ -23,14 +24,19 @@ class TableKnots {
   static constexpr std::size_t margins_each = 2;  ///< surfaces of each table
 
   /// Finds the tables of a system's loads.
-  explicit TableKnots(const PlanarSystem<R>& system) : coordinates_(system.coordinates()) {
-    for (const MovingLoad<R>& each : system.elements().loads) {
-      const auto* load = std::get_if<TableLoad<R>>(&each);
+  /// @param pieces  of the equations, one a load; kept by reference
+  TableKnots(const PlanarSystem<R>& system, std::vector<TablePiece>& pieces)
+      : coordinates_(system.coordinates()), pieces_(pieces) {
+    const auto& loads = system.elements().loads;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      const auto* load = std::get_if<TableLoad<R>>(&loads[i]);
       if (load == nullptr || !load->of_angle || load->at_known_times) continue;
-      const bool known = std::any_of(watched_.begin(), watched_.end(), [&](const Watched& w) {
+      auto known = std::find_if(watched_.begin(), watched_.end(), [&](const Watched& w) {
         return w.body == load->against && w.table == load->table.get();
       });
-      if (!known) watched_.push_back({load->against, load->table.get(), 0, 0});
+      if (known == watched_.end())
+        known = watched_.insert(watched_.end(), Watched{load->against, load->table.get(), {}, {}});
+      known->loads.push_back(i);
     }
   }
 
@@ -42,8 +48,10 @@ class TableKnots {
     for (Watched& each : watched_) {
       const R& angle = y[planar_coordinates * each.body + 2];
       const double place = static_cast<double>(angle);
-      each.turns = each.table->periods(place);
-      each.interval = each.table->interval(place - each.turns * each.table->length());
+      each.piece.turns = each.table->periods(place);
+      each.piece.interval = each.table->interval(place - each.piece.turns * each.table->length());
+      each.piece.is_held = true;
+      hold(each);
       const R& spin = y[coordinates_ + planar_coordinates * each.body + 2];
       if (spin < 0 && !(angle - low(each) > rounding(angle))) move(each, false);
       if (spin > 0 && !(high(each) - angle > rounding(angle))) move(each, true);
@@ -66,30 +74,37 @@ class TableKnots {
   struct Watched {
     std::size_t body;
     const TableCurves<3>* table;
-    std::size_t interval;
-    double turns;  ///< periods of the table before it
+    TablePiece piece;
+    std::vector<std::size_t> loads;  ///< that read it
   };
 
-  static R low(const Watched& w) { return R(w.table->knots()[w.interval] + w.turns * w.table->length()); }
-  static R high(const Watched& w) { return R(w.table->knots()[w.interval + 1] + w.turns * w.table->length()); }
+  static R low(const Watched& w) { return knot(w, w.piece.interval); }
+  static R high(const Watched& w) { return knot(w, w.piece.interval + 1); }
+  static R knot(const Watched& w, std::size_t k) { return R(w.table->knots()[k] + w.piece.turns * w.table->length()); }
   /// A few units in the last place of the angle, or of one radian.
   static R rounding(const R& angle) {
     using std::abs;
     return 8 * std::numeric_limits<R>::epsilon() * (1 + abs(angle));
   }
 
-  static void move(Watched& w, bool upwards) {
+  void move(Watched& w, bool upwards) {
     const std::size_t last = w.table->pieces().size() - 1;
+    TablePiece& piece = w.piece;
     if (upwards) {
-      w.turns += w.interval == last ? 1 : 0;
-      w.interval = w.interval == last ? 0 : w.interval + 1;
+      piece.turns += piece.interval == last ? 1 : 0;
+      piece.interval = piece.interval == last ? 0 : piece.interval + 1;
     } else {
-      w.turns -= w.interval == 0 ? 1 : 0;
-      w.interval = w.interval == 0 ? last : w.interval - 1;
+      piece.turns -= piece.interval == 0 ? 1 : 0;
+      piece.interval = piece.interval == 0 ? last : piece.interval - 1;
     }
+    hold(w);
+  }
+  void hold(const Watched& w) {
+    for (const std::size_t load : w.loads) pieces_[load] = w.piece;
   }
 
   std::size_t coordinates_;
+  std::vector<TablePiece>& pieces_;
   std::vector<Watched> watched_;
 };
 

@@ -1,7 +1,6 @@
 /// Functions of the coordinates that the constraints leave free, and how all coordinates follow from them.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,18 +49,23 @@ class CoordinateChart {
   /// The coordinate that function k is.
   std::size_t coordinate_of(std::size_t k) const { return chosen_[k] - 2 * pins_.size(); }
 
-  const ChartParts<R>& parts() const { return parts_; }  ///< A, and what is solved with it
+  using Parts = ChartParts<R, 3>;                ///< A, and what is solved with it
+  const Parts& parts() const { return parts_; }  ///< likewise
+  /// How far the chart is from its end, by its factors at a place: see ChartParts.
+  R wear(const typename Parts::Numbers& numbers, const SystemWorkspace<R>&) const { return parts_.wear(numbers); }
+  /// The value of function k that is nearest to another: there is but one.
+  static const R& nearest(std::size_t, const R& value, const R&) { return value; }
+  /// Value of function k less what it should be.
+  static R miss(std::size_t, const R& value, const R& wanted) { return value - wanted; }
 
   /// Evaluates the functions at the frames of a workspace and hands each of their rows to keep(k, row): z and its
   /// derivatives; γ_C of C q̈ = z̈ + γ_C. The compiler spares what keep does not read.
   template <class T, class Keep>
-  void for_each_function(const T* y, const SystemWorkspace<T>& w, const Keep& keep) const {
+  void for_each_function(const SystemWorkspace<T>& w, const Keep& keep) const {
     for (std::size_t k = 0; k < freedoms();) {
       const Candidate& c = candidates_[chosen_[k]];
       if (!is_of_joint(k)) {
-        ConstraintRow<T> row{y[coordinate_of(k)], T(0), T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
-        row.first[c.part] = T(1);
-        keep(k++, row);
+        keep(k++, row_of_coordinate(c, w));
         continue;
       }
       const std::size_t pin = joint_of(k);
@@ -73,8 +77,8 @@ class CoordinateChart {
   }
   /// The same into rows, freedoms() of them.
   template <class T>
-  void evaluate(const T* y, const SystemWorkspace<T>& w, ConstraintRow<T>* rows) const {
-    for_each_function(y, w, [rows](std::size_t k, const ConstraintRow<T>& row) { rows[k] = row; });
+  void evaluate(const SystemWorkspace<T>& w, ConstraintRow<T>* rows) const {
+    for_each_function(w, [rows](std::size_t k, const ConstraintRow<T>& row) { rows[k] = row; });
   }
 
   /// Numbers of the bodies of function k, as of a constraint's row.
@@ -85,22 +89,16 @@ class CoordinateChart {
   /// Chooses at a state that fulfils the constraints. @returns false where they are not independent
   bool choose(const R& t, const R* y, SystemWorkspace<R>& w) {
     system_->evaluate_kinematics(t, y, w);
-    if (!choose_functions(y, w)) return false;
-    sides_.clear();
+    if (!choose_functions(w)) return false;
+    std::vector<RowSides> sides;
+    std::vector<std::size_t> constraints;
     for (std::size_t i = 0; i < m_; ++i)
-      sides_.push_back({system_->first_body_of_row(i), system_->second_body_of_row(i)});
-    for (std::size_t k = 0; k < freedoms(); ++k) sides_.push_back({bodies_of(k).first, bodies_of(k).second});
-    std::vector<ConstraintRow<R>> rows = all_rows(y, w);
-    std::vector<R> a = scattered(rows);
-    for (std::size_t i = 0; i < n_; ++i) {
-      R size(0);
-      for (std::size_t j = 0; j < n_; ++j) size = std::max<R>(size, size_of(a[i * n_ + j] * units_[j]));
-      if (!(size > 0)) return false;
-      for (std::size_t j = 0; j < n_; ++j) a[i * n_ + j] *= units_[j] / size;
-    }
-    const std::vector<bool> may_differ = pattern();
-    parts_.divide(*system_, sides_, may_differ, moved_coordinates());
-    return parts_.start(a, may_differ, rows);
+      sides.push_back({system_->first_body_of_row(i), system_->second_body_of_row(i)});
+    for (std::size_t k = 0; k < freedoms(); ++k) sides.push_back({bodies_of(k).first, bodies_of(k).second});
+    for (std::size_t c = 0; c < system_->constraints().size(); ++c)
+      constraints.insert(constraints.end(), system_->first_row(c + 1) - system_->first_row(c), c);
+    return parts_.find(std::move(sides), constraints, all_rows(w), units_,
+                       [this](const auto& look) { this->at_odd_places(look); });
   }
 
  private:
@@ -109,7 +107,6 @@ class CoordinateChart {
     std::size_t first;
     std::size_t second;
   };
-  static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
 
   template <class Put>
   static void for_each_side(const ConstraintRow<R>& row, std::size_t first, std::size_t second, const Put& put) {
@@ -119,20 +116,27 @@ class CoordinateChart {
     }
   }
 
-  ConstraintRow<R> row_of(std::size_t candidate, const R* y, const SystemWorkspace<R>& w) const {
-    const Candidate& c = candidates_[candidate];
-    if (candidate < 2 * pins_.size()) {
-      std::array<ConstraintRow<R>, 2> both;
-      pins_[candidate / 2].evaluate(system_->frame(c.first, w), system_->frame(c.second, w), R(0), both.data());
-      return both[c.part];
-    }
-    ConstraintRow<R> row{y[3 * c.first + c.part], R(0), R(0), {R(0), R(0), R(0)}, {R(0), R(0), R(0)}};
-    row.first[c.part] = R(1);
+  template <class T>
+  static ConstraintRow<T> row_of_coordinate(const Candidate& c, const SystemWorkspace<T>& w) {
+    const PlanarFrame<T>& frame = w.frames[c.first];
+    ConstraintRow<T> row{c.part == 2 ? frame.angle : frame.position(static_cast<Eigen::Index>(c.part)),
+                         T(0),
+                         T(0),
+                         {T(0), T(0), T(0)},
+                         {T(0), T(0), T(0)}};
+    row.first[c.part] = T(1);
     return row;
+  }
+  ConstraintRow<R> row_of(std::size_t candidate, const SystemWorkspace<R>& w) const {
+    const Candidate& c = candidates_[candidate];
+    if (candidate >= 2 * pins_.size()) return row_of_coordinate(c, w);
+    std::array<ConstraintRow<R>, 2> both;
+    pins_[candidate / 2].evaluate(system_->frame(c.first, w), system_->frame(c.second, w), R(0), both.data());
+    return both[c.part];
   }
 
   /// Eccentricities first, then coordinates.
-  bool choose_functions(const R* y, const SystemWorkspace<R>& w) {
+  bool choose_functions(const SystemWorkspace<R>& w) {
     using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
     const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
     const auto put = [&](Matrix& to, std::size_t i) {
@@ -145,28 +149,20 @@ class CoordinateChart {
       for_each_side(w.rows[i], system_->first_body_of_row(i), system_->second_body_of_row(i), put(constraints, i));
     Matrix functions = Matrix::Zero(index(candidates_.size()), index(n_));
     for (std::size_t c = 0; c < candidates_.size(); ++c)
-      for_each_side(row_of(c, y, w), candidates_[c].first, candidates_[c].second, put(functions, c));
+      for_each_side(row_of(c, w), candidates_[c].first, candidates_[c].second, put(functions, c));
     chosen_ = independent_functions<R>(std::move(constraints), std::move(functions), 2 * pins_.size(),
                                        [](std::size_t) { return R(1); });
     return chosen_.size() == freedoms();
   }
 
-  std::vector<ConstraintRow<R>> all_rows(const R* y, const SystemWorkspace<R>& w) const {
+  std::vector<ConstraintRow<R>> all_rows(const SystemWorkspace<R>& w) const {
     std::vector<ConstraintRow<R>> rows = w.rows;
     rows.resize(n_);
-    evaluate(y, w, rows.data() + m_);
+    evaluate(w, rows.data() + m_);
     return rows;
   }
 
-  std::vector<R> scattered(const std::vector<ConstraintRow<R>>& rows) const {
-    std::vector<R> a(n_ * n_, R(0));
-    for_each_element(sides_, [&](std::size_t row, bool second, std::size_t k, std::size_t column) {
-      a[row * n_ + column] += (second ? rows[row].second : rows[row].first)[k];
-    });
-    return a;
-  }
-
-  /// Calls look(A) at two places without any symmetry.
+  /// Calls look(rows of A) at two places without any symmetry.
   template <class Look>
   void at_odd_places(const Look& look) const {
     SystemWorkspace<R> w = system_->template workspace<R>();
@@ -174,36 +170,8 @@ class CoordinateChart {
     for (const double seed : {0.37, 1.91}) {
       for (std::size_t i = 0; i < y.size(); ++i) y[i] = R(std::sin(seed + 1.7 * static_cast<double>(i * i + i)));
       system_->evaluate_kinematics(R(0), y.data(), w);
-      look(scattered(all_rows(y.data(), w)));
+      look(all_rows(w));
     }
-  }
-
-  /// Elements that may differ from zero: those that do there.
-  std::vector<bool> pattern() const {
-    std::vector<bool> result(n_ * n_, false);
-    at_odd_places([&](const std::vector<R>& a) {
-      for (std::size_t i = 0; i < a.size(); ++i) result[i] = result[i] || a[i] != 0;
-    });
-    return result;
-  }
-
-  /// Coordinates that some function moves there, or all if that can't be told.
-  std::vector<bool> moved_coordinates() const {
-    using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const auto n = static_cast<Eigen::Index>(n_);
-    const auto f = static_cast<Eigen::Index>(freedoms());
-    std::vector<bool> result(n_, false);
-    at_odd_places([&](const std::vector<R>& a) {
-      const Eigen::FullPivLU<Matrix> lu{Eigen::Map<const Matrix>(a.data(), n, n)};
-      const bool regular = lu.isInvertible();
-      Matrix v = regular ? Matrix(lu.solve(Matrix::Identity(n, n).rightCols(f))) : Matrix::Ones(n, f);
-      for (Eigen::Index k = 0; k < f; ++k) v.col(k) /= v.col(k).cwiseAbs().maxCoeff();
-      for (std::size_t i = 0; i < n_; ++i) {
-        // What rounding leaves of a zero; a coordinate that is moved by less is then no part of square constraints.
-        if (v.row(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff() > R(1e-10)) result[i] = true;
-      }
-    });
-    return result;
   }
 
   const PlanarSystem<R>* system_;
@@ -212,8 +180,7 @@ class CoordinateChart {
   std::vector<Revolute<R>> pins_;  ///< of the joints: a pin's Φ is the eccentricity
   std::vector<Candidate> candidates_;
   std::vector<std::size_t> chosen_;
-  std::vector<RowSides> sides_;  ///< of every row of A
-  ChartParts<R> parts_;
+  Parts parts_;
 };
 
 }  // namespace lubjoint

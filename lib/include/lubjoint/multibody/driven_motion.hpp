@@ -1,6 +1,7 @@
 /// The motion that a driver prescribes.
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "lubjoint/multibody/table_curves.hpp"
@@ -60,6 +61,18 @@ DrivenMotion<Time> driven_motion(const R& start, const R& speed, const R& accele
                             Time(acceleration)};
   if (shape) add_shape(*shape, t, motion);
   return motion;
+}
+
+/// Sum of the sizes of the terms of f, by which its rounding is measured: also where f itself passes 0.
+template <class R>
+R size_of_terms(const R& start, const R& speed, const R& acceleration,
+                const std::shared_ptr<const MotionShape<R>>& shape, const R& t) {
+  using std::abs;
+  R size = abs(start) + abs(t) * (abs(speed) + abs(R(t * acceleration / 2)));
+  if (!shape) return size;
+  size += abs(shape->amplitude);
+  if (shape->table) size += R(shape->table->largest());
+  return size;
 }
 
 /// The shape of a driver on another scalar.

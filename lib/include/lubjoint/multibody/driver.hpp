@@ -35,6 +35,8 @@ struct Driver {
   DrivenMotion<Time> motion(const Time& t) const {
     return driven_motion(angle, speed, acceleration, shape, t);
   }
+  /// Of f: see there.
+  R size_of_terms(const R& t) const { return lubjoint::size_of_terms(angle, speed, acceleration, shape, t); }
 
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>
@@ -86,6 +88,8 @@ struct SlideDriver {
   DrivenMotion<Time> motion(const Time& t) const {
     return driven_motion(position, speed, acceleration, shape, t);
   }
+  /// Of f: see there.
+  R size_of_terms(const R& t) const { return lubjoint::size_of_terms(position, speed, acceleration, shape, t); }
 
   /// Fills the rows of the constraint from the motions of its two bodies at time t.
   template <class T, class Time>

@@ -23,9 +23,10 @@ struct ForceElements {
 
   /// Adds all forces and moments about mass centres, g in coordinates.
   /// @param frame  frame(body) is the frame of a body or of the ground
+  /// @param pieces  of the tables of the loads, one a load, where they may be held; may be null
   /// @throws SpringWithoutDirection
   template <class T, class Time, class Frame>
-  void apply(const Time& t, const Frame& frame, std::vector<T>& forces) const {
+  void apply(const Time& t, const Frame& frame, const std::vector<TablePiece>* pieces, std::vector<T>& forces) const {
     const auto add = [&](std::size_t body, const Vector2<T>& force, const T& moment) {
       if (body == ground_body) return;
       forces[3 * body] += force.x();
@@ -35,19 +36,20 @@ struct ForceElements {
     for (const NamedSpring<R>& each : springs) {
       std::visit([&](const auto& s) { s.apply(frame(s.first_body()), frame(s.second_body()), add); }, each.spring);
     }
-    for (const MovingLoad<R>& each : loads) {
-      const std::size_t body = body_of(each);
-      apply_load<T>(each, t, frame, [&](const Vector2<T>& force, const T& moment) { add(body, force, moment); });
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      const std::size_t body = body_of(loads[i]);
+      apply_load<T>(loads[i], t, frame, piece_of(i, pieces),
+                    [&](const Vector2<T>& force, const T& moment) { add(body, force, moment); });
     }
   }
 
   /// Power of the loads [W].
   template <class T, class Time, class Frame>
-  T load_power(const Time& t, const Frame& frame) const {
+  T load_power(const Time& t, const Frame& frame, const std::vector<TablePiece>* pieces) const {
     T power(0);
-    for (const MovingLoad<R>& each : loads) {
-      const PlanarFrame<T>& body = frame(body_of(each));
-      apply_load<T>(each, t, frame, [&](const Vector2<T>& force, const T& moment) {
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      const PlanarFrame<T>& body = frame(body_of(loads[i]));
+      apply_load<T>(loads[i], t, frame, piece_of(i, pieces), [&](const Vector2<T>& force, const T& moment) {
         power += dot(force, body.velocity) + moment * body.spin;
       });
     }
@@ -74,6 +76,11 @@ struct ForceElements {
                         each.spring);
     }
     return sum;
+  }
+
+ private:
+  static const TablePiece* piece_of(std::size_t load, const std::vector<TablePiece>* pieces) {
+    return pieces == nullptr ? nullptr : &(*pieces)[load];
   }
 };
 

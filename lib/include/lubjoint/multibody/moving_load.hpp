@@ -84,10 +84,10 @@ struct TableLoad {
   std::size_t body() const { return at.body; }  ///< that it acts on
 
   /// As that of a point load, with frame(body), the frames of bodies.
+  /// @param piece  of a table of an angle: the one that is read if it is held; may be null
   template <class T, class Time, class Frame, class Add>
-  void apply_with(const Frame& frame_of, const Time& t, const Add& add) const {
-    const auto from = [&](const auto& x) {
-      const auto values = table->at(x);
+  void apply_with(const Frame& frame_of, const Time& t, const TablePiece* piece, const Add& add) const {
+    const auto from = [&](const auto& values) {
       const PlanarFrame<T>& frame = frame_of(at.body);
       const T along_x(values[0]);
       const T along_y(values[1]);
@@ -98,9 +98,10 @@ struct TableLoad {
       add(acting, T(T(values[2]) + cross(inertial_vector(frame, at.point), acting)));
     };
     if (of_angle) {
-      from(frame_of(against).angle);
+      const T& angle = frame_of(against).angle;
+      from(piece != nullptr && piece->is_held ? table->at(angle, *piece) : table->at(angle));
     } else {
-      from(Time(t + delay));
+      from(table->at(Time(t + delay)));
     }
   }
 };
@@ -110,13 +111,13 @@ template <class R>
 using MovingLoad = std::variant<PointLoad<R>, Unbalance<R>, TableLoad<R>>;
 
 /// Adds force and moment of a load about its body's mass centre: add(force, moment).
-/// @param frame  frame(body) is the frame of a body
+/// @param frame  frame(body) is the frame of a body;  @param piece  of a table; may be null
 template <class T, class R, class Time, class Frame, class Add>
-void apply_load(const MovingLoad<R>& load, const Time& t, const Frame& frame, const Add& add) {
+void apply_load(const MovingLoad<R>& load, const Time& t, const Frame& frame, const TablePiece* piece, const Add& add) {
   std::visit(
       [&](const auto& each) {
-        if constexpr (requires { each.template apply_with<T>(frame, t, add); }) {
-          each.template apply_with<T>(frame, t, add);
+        if constexpr (requires { each.template apply_with<T>(frame, t, piece, add); }) {
+          each.template apply_with<T>(frame, t, piece, add);
         } else {
           each.apply(frame(each.body()), t, add);
         }

@@ -178,7 +178,7 @@ class PlanarSystem {
   template <class T, class Time>
   [[gnu::noinline]] void apply_elements(const Time& t, SystemWorkspace<T>& w) const {
     elements_.apply(
-        t, [&](std::size_t body) -> const PlanarFrame<T>& { return frame(body, w); }, w.forces);
+        t, [&](std::size_t body) -> const PlanarFrame<T>& { return frame(body, w); }, w.table_pieces, w.forces);
   }
 
   /// Constraint rows of the frames.

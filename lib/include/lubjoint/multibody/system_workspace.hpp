@@ -9,6 +9,7 @@
 #include "lubjoint/multibody/constraint_row.hpp"
 #include "lubjoint/multibody/envelope_cholesky.hpp"
 #include "lubjoint/multibody/joint_element.hpp"
+#include "lubjoint/multibody/table_curves.hpp"
 
 namespace lubjoint {
 
@@ -90,6 +91,8 @@ struct SystemWorkspace {
   EnvelopeCholesky<R> schur;                  ///< Φq M⁻¹ Φqᵀ
   /// Memory for derivatives through the solve.
   detail::ImplicitDifferentiation<T> implicit;
+  /// Of the tables of moving loads, one a load, where a run holds them; kept by whoever evaluates.
+  const std::vector<TablePiece>* table_pieces = nullptr;
 };
 
 }  // namespace lubjoint

@@ -13,6 +13,13 @@
 
 namespace lubjoint {
 
+/// An interval of a table in a certain period. Its cubic goes on smoothly beyond its ends.
+struct TablePiece {
+  std::size_t interval = 0;  ///< number of the interval
+  double turns = 0;          ///< periods of the table before it
+  bool is_held = false;      ///< does it hold wherever it is read? Else the place says which
+};
+
 /// N functions of one variable x with the same knots x_0 < … < x_n: between x_k and x_{k+1}, with u = x − x_k,
 ///   f(x) = c₀ + u (c₁ + u (c₂ + u c₃)).
 /// Periodic ones repeat with the period x_n − x_0; others go on beyond their ends by the cubic there, which nobody asks
@@ -40,6 +47,16 @@ class TableCurves {
   double length() const { return knots_.back() - knots_.front(); }  ///< x_n − x_0, the period of a periodic table
   const std::vector<std::array<Cubic, N>>& pieces() const { return pieces_; }  ///< between the knots
 
+  /// The largest |f| at a knot.
+  double largest() const {
+    double largest = 0;
+    for (const std::array<Cubic, N>& piece : pieces_) {
+      for (const Cubic& cubic : piece) largest = std::max(largest, std::abs(cubic[0]));
+    }
+    for (const double value : at(knots_.back())) largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+
   /// How many periods lie between x and the table's own; 0 of one that is not periodic.
   double periods(double x) const { return periodic_ ? std::floor((x - knots_.front()) / length()) : 0; }
 
@@ -62,12 +79,14 @@ class TableCurves {
   std::array<T, N> at(const T& x) const {
     std::size_t k = 0;
     const T u = within(x, k);
-    std::array<T, N> result;
-    for (std::size_t i = 0; i < N; ++i) {
-      const Cubic& c = pieces_[k][i];
-      result[i] = T(c[0] + u * (c[1] + u * (c[2] + u * c[3])));
-    }
-    return result;
+    return of_piece(k, u);
+  }
+
+  /// f at x of a piece, also beyond its ends.
+  template <class T>
+  std::array<T, N> at(const T& x, const TablePiece& piece) const {
+    using R = typename ScalarTraits<T>::Real;
+    return of_piece(piece.interval, T(x - R(knots_[piece.interval] + piece.turns * length())));
   }
 
   /// f, f′ and f″ at x, which may carry derivatives.
@@ -97,6 +116,15 @@ class TableCurves {
   }
 
  private:
+  template <class T>
+  std::array<T, N> of_piece(std::size_t k, const T& u) const {
+    std::array<T, N> result;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Cubic& c = pieces_[k][i];
+      result[i] = T(c[0] + u * (c[1] + u * (c[2] + u * c[3])));
+    }
+    return result;
+  }
   /// x from its knot, and the number of the interval.
   template <class T>
   T within(const T& x, std::size_t& k) const {

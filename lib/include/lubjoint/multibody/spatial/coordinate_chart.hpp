@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "lubjoint/multibody/chart_parts.hpp"
 #include "lubjoint/multibody/function_choice.hpp"
-#include "lubjoint/multibody/listed_lu.hpp"
 #include "lubjoint/multibody/spatial/chart_functions.hpp"
 #include "lubjoint/multibody/spatial/system.hpp"
 
@@ -24,6 +24,8 @@ namespace lubjoint {
 /// whose Jacobian A = [Φ_v; C_v] by (ṙ, ω′) is factorised in the order that was found when the chart was chosen. Rows
 /// of Φ that the system leaves out are not in it. A chart is worn out where a pivot, or a turn's ρ², has become small:
 /// another order of pivots then takes over, or, where it is the functions that wear out, another choice.
+///
+/// What the time alone prescribes, such as the place of a crank that is driven, is found apart: see ChartParts.
 template <class R>
 class SpatialCoordinateChart {
  public:
@@ -38,9 +40,10 @@ class SpatialCoordinateChart {
     for (std::size_t i = 0; i < n_; ++i) candidates_.push_back({i % 6, i / 6, ground_body});
     axes_.resize(system.bodies().size());
     from_.resize(system.bodies().size());
-    for (const std::size_t row : system.kept())
-      sides_.push_back({system.first_body_of_row(row), system.second_body_of_row(row)});
-    find_pattern();
+    for (const std::size_t row : system.kept()) {
+      constraint_sides_.push_back({system.first_body_of_row(row), system.second_body_of_row(row)});
+      constraints_.push_back(system.constraint_of(row));
+    }
   }
 
   std::size_t freedoms() const { return n_ - m_; }  ///< number of functions
@@ -105,77 +108,51 @@ class SpatialCoordinateChart {
     return {candidates_[chosen_[k]].first, candidates_[chosen_[k]].second};
   }
 
+  using Parts = ChartParts<R, 6>;                ///< A, and what is solved with it
+  const Parts& parts() const { return parts_; }  ///< likewise
+  /// How far the chart is from its end, at the frames of a workspace and the factors there: 1 for a fresh chart, 0
+  /// where pivots vanish, or ρ² of a turn.
+  R wear(const typename Parts::Numbers& numbers, const SpatialWorkspace<R>& w) const {
+    R least = parts_.wear(numbers);
+    for (std::size_t k = 0; k < freedoms(); ++k) {
+      if (is_turn(k)) least = std::min<R>(least, turn_square(k, w));
+    }
+    return least;
+  }
+  /// The value of function k that is nearest to another: a turn is of any revolution.
+  R nearest(std::size_t k, const R& value, const R& other) const {
+    const R missed = miss(k, value, other);
+    return missed == value - other ? value : R(other + missed);
+  }
+  /// Value of function k less what it should be; of a turn, in the revolution that is nearest.
+  R miss(std::size_t k, const R& value, const R& wanted) const {
+    using std::round;
+    const R difference = value - wanted;
+    if (!is_turn(k) || size_of(difference) < R(3)) return difference;
+    const R turn = 2 * pi<R>();
+    return R(value - (wanted + turn * round(R(difference / turn))));  // the sum is the same for all values near it
+  }
+
   /// Chooses at a state that fulfils the constraints: another order for the functions that there are, where they are
   /// still as good as at first; else functions. @returns false where the constraints are not independent
   bool choose(const R& t, const R* y, SpatialWorkspace<R>& w) {
     system_->evaluate_kinematics(t, y, w);
-    if (!chosen_.empty() && find_order(w) && are_as_good_as_at_first()) return true;
-    if (!choose_functions(w) || !find_order(w)) return false;
-    first_sizes_ = sizes_of_functions();
+    if (!chosen_.empty() && find_parts(y, w) && are_as_good_as_at_first(w)) return true;
+    if (!choose_functions(w) || !find_parts(y, w)) return false;
+    first_sizes_ = sizes_of_functions(w);
     return true;
   }
 
-  static constexpr std::size_t slots = 4;  ///< how many factors it keeps
-
-  /// Works with the factors of this slot from here on.
-  void use(std::size_t slot) { slot_ = slot; }
-  /// Puts copies of one slot's factors into another.
-  void copy_factors(std::size_t from, std::size_t to) { numbers_[to] = numbers_[from]; }
-
-  /// Takes the value alone of a row: the factors stay.
-  void put_value(std::size_t row, const R& value) { numbers()[row * row_numbers] = value; }
-  /// Takes a row of A, of the constraints that are kept or, from number m on, of the functions, at new places.
-  void put(std::size_t row, const SpatialRow<R>& from) {
-    R* numbers = this->numbers() + row * row_numbers;
-    numbers[0] = from.value;
-    numbers[1] = from.time_rate;
-    std::copy(from.first.begin(), from.first.end(), numbers + first_derivative);
-    std::copy(from.second.begin(), from.second.end(), numbers + first_derivative + 6);
-    if (row >= m_ && is_turn(row - m_))  // 1/ρ²
-      turns_[row - m_] = from.first[3] * from.first[3] + from.first[4] * from.first[4] + from.first[5] * from.first[5];
-  }
-  const R& value(std::size_t row) const { return numbers()[row * row_numbers]; }          ///< of a row: Φ or z
-  const R& time_rate(std::size_t row) const { return numbers()[row * row_numbers + 1]; }  ///< Φ_t
-
-  /// Factors of the rows that were put.
-  void factorise() { lu_.factorise(numbers()); }
-
-  /// Solves A x = b. V: R, or several right-hand sides at once.
-  /// @param b  of the constraints' rows, then of the functions;  @param work  as many
-  template <class V>
-  void solve(const V* b, V* x, V* work) const {
-    lu_.solve(numbers(), b, x, work);
-  }
-  /// Solves Aᵀ x = b.
-  template <class V>
-  void solve_transposed(const V* b, V* x, V* work) const {
-    lu_.solve_transposed(numbers(), b, x, work);
-  }
-
-  /// How much smaller than when they were chosen the pivots have become, or ρ² of a turn: 1 for a fresh chart, 0 where
-  /// it ends.
-  R wear() const {
-    R most(1);
-    for (std::size_t k = 0; k < n_; ++k)
-      most = std::max<R>(most, size_of(lu_.inverse_pivot(k, numbers())) / first_inverse_pivots_[k]);
-    for (const R& inverse_square : turns_) most = std::max<R>(most, inverse_square);
-    return 1 / most;
-  }
-
  private:
-  using Number = typename ListedLu<R>::Number;
   struct Candidate {
     std::size_t part;  // 0, 1: of a joint; 0, 1, 2: a position of a body; 3, 4, 5: its turns
     std::size_t first;
     std::size_t second;
   };
-  /// A row among the numbers: value, time rate, derivatives of the first body, of the second, which factors replace.
-  static constexpr std::size_t row_numbers = 14;
-  static constexpr std::size_t first_derivative = 2;
-
-  R* numbers() { return numbers_[slot_].data(); }
-  const R* numbers() const { return numbers_[slot_].data(); }
-  static R size_of(const R& x) { return x < 0 ? R(-x) : x; }
+  static R size_of(const R& x) {
+    using std::abs;
+    return abs(x);
+  }
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
   std::size_t of_joints() const { return 2 * system_->joints().size(); }
 
@@ -248,7 +225,8 @@ class SpatialCoordinateChart {
     };
     Matrix constraints = Matrix::Zero(index(m_), index(n_));
     for (std::size_t i = 0; i < m_; ++i)
-      for_each_side(w.rows[system_->kept()[i]], sides_[i].first, sides_[i].second, put(constraints, i));
+      for_each_side(w.rows[system_->kept()[i]], constraint_sides_[i].first, constraint_sides_[i].second,
+                    put(constraints, i));
     Matrix functions = Matrix::Zero(index(candidates_.size()), index(n_));
     for (std::size_t c = 0; c < candidates_.size(); ++c)
       for_each_side(row_of(c, w), candidates_[c].first, candidates_[c].second, put(functions, c));
@@ -256,100 +234,79 @@ class SpatialCoordinateChart {
                                        [&](std::size_t c) { return lasting(candidates_[c], w); });
     if (chosen_.size() < freedoms()) return false;
     ++choices_;
-    sides_.resize(m_);
     numbers_of_chosen_.clear();
-    turns_.assign(freedoms(), R(0));
-    for (std::size_t k = 0; k < freedoms(); ++k) {
-      sides_.push_back(bodies_of(k));
+    for (std::size_t k = 0; k < freedoms(); ++k)
       numbers_of_chosen_.push_back(chosen_[k] + (is_turn(k) ? choices_ * candidates_.size() : 0));
-    }
     return true;
   }
 
-  /// The order of pivots for the functions that are chosen, and factors in it.
-  bool find_order(const SpatialWorkspace<R>& w) {
+  std::vector<SpatialRow<R>> all_rows(const SpatialWorkspace<R>& w) const {
     std::vector<SpatialRow<R>> rows(n_);
     for (std::size_t i = 0; i < m_; ++i) rows[i] = w.rows[system_->kept()[i]];
     evaluate(w, rows.data() + m_);
-    std::vector<R> a(n_ * n_, R(0));
-    std::vector<Number> places(n_ * n_, ListedLu<R>::none);
-    for (std::size_t row = 0; row < n_; ++row) {
-      const auto number = [row](std::size_t k) {
-        return static_cast<Number>(row * row_numbers + first_derivative + k);
-      };
-      const auto put_side = [&](std::size_t body, const std::array<R, 6>& columns, std::size_t side) {
-        for (std::size_t k = 0; k < 6 && body != ground_body; ++k) {
-          if (!may_differ(row, side + k)) continue;
-          a[row * n_ + 6 * body + k] = columns[k];
-          places[row * n_ + 6 * body + k] = number(side + k);
-        }
-      };
-      put_side(sides_[row].first, rows[row].first, 0);
-      put_side(sides_[row].second, rows[row].second, 6);
-      R size(0);
-      for (std::size_t j = 0; j < n_; ++j) size = std::max<R>(size, size_of(a[row * n_ + j] * units_[j]));
-      if (!(size > 0)) return false;
-      for (std::size_t j = 0; j < n_; ++j) a[row * n_ + j] *= units_[j] / size;
+    return rows;
+  }
+
+  bool find_parts(const R* y, const SpatialWorkspace<R>& w) {
+    std::vector<RowSides> sides = constraint_sides_;
+    for (std::size_t k = 0; k < freedoms(); ++k) sides.push_back({bodies_of(k).first, bodies_of(k).second});
+    return parts_.find(std::move(sides), constraints_, all_rows(w), units_,
+                       [&](const auto& look) { at_odd_places(y, look); });
+  }
+
+  /// Calls look(rows of A) at two places without any symmetry, not so far from a state that journals lie across.
+  template <class Look>
+  void at_odd_places(const R* y, const Look& look) const {
+    SpatialWorkspace<R> w = system_->template workspace<R>();
+    std::vector<R> odd(y, y + system_->states());
+    R length(0);
+    for (std::size_t b = 0; b < system_->bodies().size(); ++b) {
+      for (std::size_t k = 0; k < 3; ++k) length = std::max<R>(length, size_of(y[spatial_coordinates * b + k]));
     }
-    if (!lu_.find_order(n_, std::move(a), places, n_ * row_numbers)) return false;
-    numbers_.fill(std::vector<R>(lu_.storage(), R(0)));
-    slot_ = 0;
-    for (std::size_t row = 0; row < n_; ++row) put(row, rows[row]);
-    factorise();
-    first_inverse_pivots_.resize(n_);
-    for (std::size_t k = 0; k < n_; ++k) first_inverse_pivots_[k] = size_of(lu_.inverse_pivot(k, numbers()));
-    return true;
+    if (!(length > 0)) length = R(1);
+    for (const double seed : {0.37, 1.91}) {
+      const auto number = [seed](std::size_t i) { return R(std::sin(seed + 1.7 * static_cast<double>(i * i + i))); };
+      for (std::size_t b = 0; b < system_->bodies().size(); ++b) {
+        const std::size_t first = spatial_coordinates * b;
+        for (std::size_t k = 0; k < 3; ++k) odd[first + k] = y[first + k] + length * number(first + k);
+        const R* p = y + first + 3;
+        const R angle(0.15);  // relative turns below 1 rad
+        const Vector3<R> by(angle * number(first + 3), angle * number(first + 4), angle * number(first + 5));
+        const EulerParameters<R> given(p[0], p[1], p[2], p[3]);
+        const EulerParameters<R> turned = normalised<R>(EulerParameters<R>(given + euler_rate<R>(given, by)));
+        std::copy(turned.data(), turned.data() + 4, odd.begin() + static_cast<std::ptrdiff_t>(first + 3));
+      }
+      system_->evaluate_kinematics(R(0), odd.data(), w);
+      look(all_rows(w));
+    }
+  }
+
+  /// ρ² of a function that is a turn.
+  R turn_square(std::size_t k, const SpatialWorkspace<R>& w) const {
+    const Candidate& c = candidates_[chosen_[k]];
+    const EulerParameters<R> q = detail::turn_since(from_[c.first], w.frames[c.first].parameters);
+    const R along = dot(Vector3<R>(axes_[c.first].col(index(c.part - 3))), Vector3<R>(q(1), q(2), q(3)));
+    return R(q(0) * q(0) + along * along);
   }
 
   /// How far bodies move, in their units, when one function alone changes.
-  std::vector<R> sizes_of_functions() const {
-    std::vector<R> sizes, right(n_), x(n_), work(n_);
+  std::vector<R> sizes_of_functions(const SpatialWorkspace<R>& w) const {
+    using Matrix = typename Parts::Matrix;
+    const Matrix v = Matrix(parts_.matrix(all_rows(w)))
+                         .partialPivLu()
+                         .solve(Matrix::Identity(index(n_), index(n_)).rightCols(index(freedoms())));
+    std::vector<R> sizes(freedoms(), R(0));
     for (std::size_t k = 0; k < freedoms(); ++k) {
-      std::fill(right.begin(), right.end(), R(0));
-      right[m_ + k] = R(1);
-      solve(right.data(), x.data(), work.data());
-      R size(0);
-      for (std::size_t i = 0; i < n_; ++i) size = std::max<R>(size, size_of(x[i]) / units_[i]);
-      sizes.push_back(size);
+      for (std::size_t i = 0; i < n_; ++i) sizes[k] = std::max<R>(sizes[k], size_of(v(index(i), index(k))) / units_[i]);
     }
     return sizes;
   }
-  bool are_as_good_as_at_first() const {
-    const std::vector<R> sizes = sizes_of_functions();
+  bool are_as_good_as_at_first(const SpatialWorkspace<R>& w) const {
+    const std::vector<R> sizes = sizes_of_functions(w);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      if (!(sizes[k] < 4 * first_sizes_[k]) || turns_[k] > R(2)) return false;
+      if (!(sizes[k] < 4 * first_sizes_[k]) || (is_turn(k) && turn_square(k, w) < R(0.5))) return false;
     }
     return true;
-  }
-
-  /// Elements of the constraints' rows that may differ from zero: those that do at two places without any symmetry.
-  void find_pattern() {
-    pattern_.assign(12 * m_, false);
-    SpatialWorkspace<R> w = system_->template workspace<R>();
-    std::vector<R> y(system_->states());
-    for (const double seed : {0.37, 1.91}) {
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] = R(std::sin(seed + 1.7 * static_cast<double>(i * i + i)));
-      for (std::size_t b = 0; b < system_->bodies().size(); ++b) {
-        R* p = &y[spatial_coordinates * b + 3];
-        const EulerParameters<R> unit = normalised(EulerParameters<R>(p[0], p[1], p[2], p[3]));
-        std::copy(unit.data(), unit.data() + 4, p);
-      }
-      system_->evaluate_kinematics(R(0), y.data(), w);
-      for (std::size_t i = 0; i < m_; ++i) {
-        const SpatialRow<R>& row = w.rows[system_->kept()[i]];
-        for (std::size_t k = 0; k < 6; ++k) {
-          pattern_[12 * i + k] = pattern_[12 * i + k] || row.first[k] != 0;
-          pattern_[12 * i + 6 + k] = pattern_[12 * i + 6 + k] || row.second[k] != 0;
-        }
-      }
-    }
-  }
-  /// May an element of a row differ from zero? @param k  from 0 of the first body, from 6 of the second
-  bool may_differ(std::size_t row, std::size_t k) const {
-    if (row < m_) return pattern_[12 * row + k];
-    const Candidate& c = candidates_[chosen_[row - m_]];
-    if (is_of_joint(row - m_)) return true;
-    return c.part < 3 ? k == c.part : k >= 3 && k < 6;
   }
 
   const SpatialSystem<R>* system_;
@@ -360,15 +317,11 @@ class SpatialCoordinateChart {
   std::vector<EulerParameters<R>> from_;  ///< p₀ of each body
   std::vector<std::size_t> chosen_;       ///< candidates
   std::vector<std::size_t> numbers_of_chosen_;
-  std::size_t choices_ = 0;                                 ///< of functions so far
-  std::vector<std::pair<std::size_t, std::size_t>> sides_;  ///< bodies of every row of A
-  std::vector<bool> pattern_;                               ///< of the constraints' rows
-  ListedLu<R> lu_;
-  std::array<std::vector<R>, slots> numbers_;  ///< of each slot: the rows and, behind them, fill
-  std::size_t slot_ = 0;                       ///< in use
-  std::vector<R> first_inverse_pivots_;
+  std::size_t choices_ = 0;                 ///< of functions so far
+  std::vector<RowSides> constraint_sides_;  ///< of the rows of constraints
+  std::vector<std::size_t> constraints_;    ///< of each of these, its constraint
+  Parts parts_;
   std::vector<R> first_sizes_;  ///< of functions, when they were chosen
-  std::vector<R> turns_;        ///< 1/ρ² of functions that are turns
 };
 
 }  // namespace lubjoint

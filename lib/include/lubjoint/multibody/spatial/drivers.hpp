@@ -1,6 +1,7 @@
 /// Motors in space: prescribed turns about an axis, and prescribed ways along one.
 #pragma once
 
+#include "lubjoint/multibody/driven_motion.hpp"
 #include "lubjoint/multibody/spatial/joints.hpp"
 
 namespace lubjoint {
@@ -22,6 +23,8 @@ struct PrescribedMotion {
   Time rate(const Time& t) const {
     return Time(speed + t * acceleration);
   }
+  /// Sum of the sizes of the terms of f.
+  R size_of_terms(const R& t) const { return lubjoint::size_of_terms<R>(start, speed, acceleration, nullptr, t); }
   /// On another scalar.
   template <class S>
   PrescribedMotion<S> cast() const {

@@ -84,13 +84,20 @@ class SpatialSystem {
   void leave_out(const std::vector<std::size_t>& rows) {
     left_out_ = rows;
     kept_.clear();
+    place_among_kept_.assign(constraint_rows(), not_kept);
     for (std::size_t row = 0; row < constraint_rows(); ++row) {
-      if (std::find(rows.begin(), rows.end(), row) == rows.end()) kept_.push_back(row);
+      if (std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
+      place_among_kept_[row] = kept_.size();
+      kept_.push_back(row);
     }
     find_structure();
   }
   const std::vector<std::size_t>& left_out() const { return left_out_; }  ///< rows that the equations do without
   const std::vector<std::size_t>& kept() const { return kept_; }          ///< all others, in order
+  /// In place of the place of a row that is left out.
+  static constexpr std::size_t not_kept = ground_body;
+  /// The place of a row among those that are kept.
+  std::size_t place_among_kept(std::size_t row) const { return place_among_kept_[row]; }
 
   /// All the memory that evaluations on the scalar T take.
   template <class T>
@@ -237,22 +244,25 @@ class SpatialSystem {
   template <class T, class Time>
   void evaluate_constraints(const Time& t, SpatialWorkspace<T>& w, std::size_t body) const {
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
-      const std::size_t row = first_row_[c];
-      const Sides& sides = sides_[row];
-      if (!has_to_do(body, sides)) {
-        if constexpr (ScalarTraits<T>::carries_derivatives) {
-          for (std::size_t i = row; i < first_row_[c + 1]; ++i) w.rows[i] = w.implicit.at.rows[i].template cast<T>();
-        }
-        continue;
+      if (has_to_do(body, sides_[first_row_[c]])) {
+        evaluate_constraint(c, t, w);
+      } else if constexpr (ScalarTraits<T>::carries_derivatives) {
+        for (std::size_t i = first_row_[c]; i < first_row_[c + 1]; ++i)
+          w.rows[i] = w.implicit.at.rows[i].template cast<T>();
       }
-      std::visit(
-          [&](const auto& constraint) {
-            const SpatialFrame<T>& first = frame(sides.first, w);
-            const SpatialFrame<T>& second = frame(sides.second, w);
-            in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); });
-          },
-          constraints_[c].constraint);
     }
+  }
+  /// Those of one constraint.
+  template <class T, class Time>
+  void evaluate_constraint(std::size_t c, const Time& t, SpatialWorkspace<T>& w) const {
+    const std::size_t row = first_row_[c];
+    const SpatialFrame<T>& first = frame(sides_[row].first, w);
+    const SpatialFrame<T>& second = frame(sides_[row].second, w);
+    std::visit(
+        [&](const auto& constraint) {
+          in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); });
+        },
+        constraints_[c].constraint);
   }
 
   /// Factors of Φ_v M⁻¹ Φ_vᵀ of the rows that are kept. @throws SingularConstraints
@@ -482,7 +492,7 @@ class SpatialSystem {
   std::vector<Matrix3<R>> inverse_inertia_;
   std::vector<std::size_t> first_row_;
   std::vector<Sides> sides_;
-  std::vector<std::size_t> left_out_, kept_;
+  std::vector<std::size_t> left_out_, kept_, place_among_kept_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> envelope_;
 };
