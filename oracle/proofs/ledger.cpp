@@ -30,7 +30,7 @@ std::vector<Statement> all_statements() {
        {reynolds_field_statements, force_integral_statements, dynamic_moment_statements, dynamic_frame_statements,
         limit_statements, symmetry_statements, passivity_statements, pinkus_sternlicht_statements, mechanics_statements,
         contact_statements, loss_statements, coefficient_statements, squeeze_statements, potential_statements,
-        mobility_statements, spatial_mechanics_statements, spatial_joint_statements}) {
+        mobility_statements, spatial_mechanics_statements, spatial_joint_statements, spatial_chart_statements}) {
     for (Statement& statement : group()) {
       // Beside the others of its group, in the order in which the groups first appear.
       const auto same_group = [&](const Statement& other) { return other.group == statement.group; };

@@ -94,5 +94,6 @@ std::vector<Statement> potential_statements();
 std::vector<Statement> mobility_statements();
 std::vector<Statement> spatial_mechanics_statements();
 std::vector<Statement> spatial_joint_statements();
+std::vector<Statement> spatial_chart_statements();
 
 }  // namespace lubjoint::proofs
