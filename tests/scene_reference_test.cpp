@@ -100,7 +100,8 @@ TEST_CASE("scene reference: its tables of scenes in space have the keys that the
              asked_for("lib/src/scene_parts.cpp", {"read_coordinates"})));
   CHECK(documented("In space: `[[bodies]]`") ==
         both(asked_for(file, {"read_spatial_body", "read_inertia"}), asked_for(parts, {"read_orientation"})));
-  CHECK(documented("In space: `[[loads]]`") == asked_for(file, {"read_spatial_load", "read_spatial_harmonic"}));
+  CHECK(documented("In space: `[[loads]]`") ==
+        both(asked_for(file, {"read_spatial_load"}), asked_for("lib/src/scene_forces.cpp", {"read_harmonic"})));
   CHECK(documented("In space: `[[springs]]`") == asked_for(file, {"read_spatial_spring"}));
   CHECK(documented("In space: `[[sensors]]`") == asked_for(file, {"read_spatial_sensor"}));
   CHECK(documented("In space: `[[joints]]`") ==

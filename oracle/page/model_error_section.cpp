@@ -194,7 +194,7 @@ Section model_error_section(const Content& content) {
           filled("model-error.html",
                  {{"ratio", fmt::format("{:.2f}", content.model_error.length_to_diameter)},
                   {"loaded", loaded_table(content.model_error.loaded)},
-                  {"real", real_films_tables(content.real_films)},
+                  {"real", paper_conclusions(content) + real_films_tables(content.real_films)},
                   {"visited", visited_table(content)},
                   {"summary", summary_table(content.model_error.map)},
                   {"key", key},

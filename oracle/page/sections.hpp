@@ -52,6 +52,10 @@ std::string checks_table(const std::string& caption, const std::vector<const Ver
 /// @throws std::logic_error for a check that the verdicts do not have
 std::string checked_words(const std::vector<const Verdict*>& verdicts, const std::vector<std::string>& whats);
 
+/// The paper's conclusions with its films and with that of the bearing's real length: a table whose last column says
+/// which of them stand. Nothing where that film was not run. What the paper concludes is no check of this program.
+std::string paper_conclusions(const Content& content);
+
 /// What the runs of the animation look like, as JSON for animation.js (described there).
 std::string animation_json(const Example1& journal, const Example2& slider_crank);
 

@@ -300,27 +300,24 @@ class IndependentMotion {
     if (!from.known) return;
     const std::size_t f = freedoms();
     for (std::size_t k = 0; k < f; ++k) right_[k] = x[k] - from.z[k];
-    const bool later = from.t != t && accelerated_;
-    const R dt = t - from.t;
-    const auto moved = [&](std::size_t i) {
-      return later ? R(dt * (y_[places_end_ + i] + dt / 2 * w_.accelerations[i])) : R(0);
+    const auto along = [&](std::size_t i) {
+      R sum(0);
+      for (std::size_t k = 0; k < f; ++k) sum += column(from, k, i) * right_[k];
+      return sum;
     };
-    for (std::size_t k = 0; k < f; ++k) {
-      if (later) right_[k] -= dt * (speeds_[k] + dt / 2 * accelerations_[k]);
-      right_[k] = chart_.miss(k, right_[k], R(0));
-    }
-    if (later) {
+    if (from.t != t && accelerated_) {
+      const R dt = t - from.t;
+      const auto moved = [&](std::size_t i) { return R(dt * (y_[places_end_ + i] + dt / 2 * w_.accelerations[i])); };
+      for (std::size_t k = 0; k < f; ++k)
+        right_[k] = chart_.miss(k, R(right_[k] - dt * (speeds_[k] + dt / 2 * accelerations_[k])), R(0));
       In::displace(
           prescribed(), [&](std::size_t i) { return moved(prescribed().columns[i]); }, y_.data());
+      In::displace(
+          free(), [&](std::size_t i) { return R(moved(free().columns[i]) + along(i)); }, y_.data());
+    } else {
+      for (std::size_t k = 0; k < f; ++k) right_[k] = chart_.miss(k, right_[k], R(0));
+      In::displace(free(), along, y_.data());
     }
-    In::displace(
-        free(),
-        [&](std::size_t i) {
-          R sum = moved(free().columns[i]);
-          for (std::size_t k = 0; k < f; ++k) sum += column(from, k, i) * right_[k];
-          return sum;
-        },
-        y_.data());
   }
 
   template <class Small>
