@@ -53,7 +53,8 @@ int lubjoint_simulate(const lubjoint_simulate_request* request, lubjoint_simulat
     const reports::SceneSettings settings{given(request->law), given(request->integrator), given(request->rtol),
                                           given(request->duration), ""};
     const reports::SceneToRun scene = reports::scene_to_run(file_of(*request), settings, films);
-    lubjoint_simulation result{reports::run_of_scene(scene, given(request->after)), {}};
+    const reports::LateChoice late{given(request->after), request->last_revolution != 0, {"after", "last_revolution"}};
+    lubjoint_simulation result{reports::run_of_scene(scene, late), {}};
     result.summary = result.run.summary.dump();
     result.run.warnings.insert(result.run.warnings.begin(), notes.begin(), notes.end());
     *run = new lubjoint_simulation(std::move(result));

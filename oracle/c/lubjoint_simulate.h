@@ -28,6 +28,8 @@ typedef struct lubjoint_simulate_request {
   const double* after;    /* extremes from this time on, too [s], in the plane; may be null */
   const char* films;      /* folder of tables of compiled laws that ship; null: none */
   lubjoint_simulate_progress progress; /* of a table that has to be compiled; may be null */
+  int last_revolution; /* not 0: extremes of the last revolution of the scene's driver, or of its journal, too; in the
+                          plane, and not with `after` */
 } lubjoint_simulate_request;
 
 /* A run: what `lubjoint simulate --out --json` writes of it. */

@@ -39,28 +39,13 @@ struct SceneOptions : reports::SceneSettings {
 };
 
 /// The options that ask for extremes of the later part of a run.
-struct LateOptions {
-  std::optional<double> after;
-  bool last_revolution = false;
-
+struct LateOptions : reports::LateChoice {
   void add_late(CLI::App& command) {
     command.add_option("--after", after,
                        "Extremes from this time on, too [s], beside those of the whole run: a start has its own. Runs "
                        "the\nscene once more, to that time and from it");
     command.add_flag("--last-revolution", last_revolution,
                      "The same of the last revolution of the scene's driver, or of its journal");
-  }
-  /// @throws std::invalid_argument
-  void require() const {
-    if (after && last_revolution) {
-      throw std::invalid_argument("--after and --last-revolution are given; allowed is one of them");
-    }
-  }
-  /// From when on extremes of the scene are wanted, if at all. @throws std::invalid_argument
-  std::optional<double> start(const Scene& scene) const {
-    if (last_revolution) return reports::start_of_last_revolution(scene);
-    if (after) reports::require_after(scene, *after, "--after");
-    return after;
   }
 };
 

@@ -72,10 +72,7 @@ int simulate(const SceneType& scene, const std::optional<double>& after, const O
 
 /// What is for scenes in the plane alone. @throws std::invalid_argument
 void require_none_in_space(const LateOptions& late, const Output& output) {
-  if (late.after || late.last_revolution) {
-    throw std::invalid_argument(std::string(late.after ? "--after" : "--last-revolution") +
-                                " is for scenes in the plane, and this one is in space; allowed without it");
-  }
+  late.require_none_in_space();
   if (output.plot) {
     throw std::invalid_argument("--plot is for scenes in the plane, and this one is in space; allowed without it");
   }

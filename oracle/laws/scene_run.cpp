@@ -132,13 +132,15 @@ std::optional<LateExtremes> late_extremes_of(const Scene& scene, const RunOutcom
   return std::nullopt;
 }
 
-RunOfScene run_of_scene(const SceneToRun& scene, const std::optional<double>& after) {
+RunOfScene run_of_scene(const SceneToRun& scene, const LateChoice& late) {
+  late.require();
   return std::visit(
       [&]<class SceneType>(const SceneType& each) {
+        std::optional<double> after;
         if constexpr (std::is_same_v<SceneType, Scene>) {
-          if (after) require_after(each, *after, "after");
-        } else if (after) {
-          throw std::invalid_argument("after is for scenes in the plane, and this one is in space; allowed without it");
+          after = late.start(each);
+        } else {
+          late.require_none_in_space();
         }
         std::vector<std::string> warnings;
         warn_before(each, [&warnings](const std::string& warning) { warnings.push_back(warning); });

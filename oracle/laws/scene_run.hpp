@@ -59,8 +59,8 @@ struct RunOfScene {
 };
 
 /// Runs a scene.
-/// @param after  extremes from this time on, too
+/// @param late  extremes from a time on, too
 /// @throws SceneError, std::invalid_argument
-RunOfScene run_of_scene(const SceneToRun& scene, const std::optional<double>& after);
+RunOfScene run_of_scene(const SceneToRun& scene, const LateChoice& late);
 
 }  // namespace lubjoint::reports

@@ -42,9 +42,4 @@ void SceneSettings::change(Scene& scene, SceneFilms& films) const {
   films.provide(scene);
 }
 
-void require_after(const Scene& scene, double after, const std::string& name) {
-  require_option(name, after, after >= 0 && after < scene.run.duration,
-                 "a time from 0 to below the duration, " + number(scene.run.duration) + " s");
-}
-
 }  // namespace lubjoint::reports

@@ -28,7 +28,4 @@ struct SceneSettings {
   void change(SpatialScene& scene, SceneFilms& films) const;  ///< likewise (library scene_runs)
 };
 
-/// From when on extremes of a scene are wanted. @throws std::invalid_argument unless from 0 to below its duration
-void require_after(const Scene& scene, double after, const std::string& name);
-
 }  // namespace lubjoint::reports

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "oracle/files/files.hpp"
+#include "oracle/files/require.hpp"
 #include "oracle/results/multibody_report.hpp"
 #include "oracle/results/outcome_words.hpp"
 
@@ -128,37 +130,56 @@ LateExtremes late_extremes(const Scene& scene, double after) {
                                 : of_mechanism(scene, head, std::move(late), after);
 }
 
-double start_of_last_revolution(const Scene& scene) {
+double start_of_last_revolution(const Scene& scene, const LateNames& names) {
+  const auto refuse = [&names](const std::string& why) {
+    throw std::invalid_argument(names.last_revolution + ": " + why + names.after);
+  };
   const double end = scene.run.duration;
   double length = 0;
   for (const SceneConstraint& each : scene.constraints) {
     const auto* driver = std::get_if<Driver<double>>(&each.constraint);
     if (driver == nullptr) continue;
     if (driver->shape) {
-      throw std::invalid_argument("--last-revolution: driver \"" + each.name +
-                                  "\" does not turn evenly; allowed is --after");
+      refuse("driver \"" + each.name + "\" does not turn evenly; allowed is ");
     }
     const double speed = driver->speed + end * driver->acceleration;
     if (speed == 0) continue;
     const double own = time_of_a_revolution(speed, driver->acceleration);
     if (length > 0 && std::abs(own - length) > 1e-9 * length) {  // far above the rounding of equal speeds
-      throw std::invalid_argument("--last-revolution: the drivers turn at different speeds; allowed is --after");
+      refuse("the drivers turn at different speeds; allowed is ");
     }
     length = own;
   }
   if (length == 0 && scene.bodies.size() == 1 && scene.bodies.front().spin != 0) {
     length = time_of_a_revolution(scene.bodies.front().spin, 0);
   }
-  if (length == 0) {
-    throw std::invalid_argument("--last-revolution: nothing in the scene is driven round; allowed is --after");
-  }
+  if (length == 0) refuse("nothing in the scene is driven round; allowed is ");
   if (!(length <= end)) {
-    throw std::invalid_argument(
-        fmt::format("--last-revolution: the scene ends before one revolution is made, after {} "
-                    "s; allowed is a longer duration, or --after",
-                    end));
+    refuse(fmt::format("the scene ends before one revolution is made, after {} s; allowed is a longer duration, or ",
+                       end));
   }
   return end - length;
+}
+
+void LateChoice::require() const {
+  if (after && last_revolution) {
+    throw std::invalid_argument(names.after + " and " + names.last_revolution + " are given; allowed is one of them");
+  }
+}
+
+void LateChoice::require_none_in_space() const {
+  if (!after && !last_revolution) return;
+  throw std::invalid_argument((after ? names.after : names.last_revolution) +
+                              " is for scenes in the plane, and this one is in space; allowed without it");
+}
+
+std::optional<double> LateChoice::start(const Scene& scene) const {
+  if (last_revolution) return start_of_last_revolution(scene, names);
+  if (after) {
+    require_option(names.after, *after, *after >= 0 && *after < scene.run.duration,
+                   "a time from 0 to below the duration, " + number(scene.run.duration) + " s");
+  }
+  return after;
 }
 
 void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, const LateExtremes& late) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,29 @@ struct LateExtremes {
 /// that time: the impact that it is in has begun before
 LateExtremes late_extremes(const Scene& scene, double after);
 
+/// What the two ways to ask for later extremes are called, for messages.
+struct LateNames {
+  std::string after = "--after";
+  std::string last_revolution = "--last-revolution";
+};
+
 /// When the last revolution of a scene begins: of its driver, or of a free journal's spin [s].
 /// @throws std::invalid_argument  nothing turns, drivers that turn differently, or less than a revolution
-double start_of_last_revolution(const Scene& scene);
+double start_of_last_revolution(const Scene& scene, const LateNames& names = {});
+
+/// From when on extremes are wanted beside those of the whole run, if at all.
+struct LateChoice {
+  std::optional<double> after;   ///< [s]
+  bool last_revolution = false;  ///< from the start of the last revolution on
+  LateNames names;
+
+  /// @throws std::invalid_argument  both are wanted
+  void require() const;
+  /// @throws std::invalid_argument  one of them is: of a scene in space there are none
+  void require_none_in_space() const;
+  /// The time in a scene [s]. @throws std::invalid_argument  it has none
+  std::optional<double> start(const Scene& scene) const;
+};
 
 /// Adds the key `after` to each joint, driver and reaction of a summary.
 void add_late_extremes(nlohmann::ordered_json& summary, const Scene& scene, const LateExtremes& late);

@@ -344,9 +344,12 @@ def commanded(scene, *options):
 for scene, given in (("journal.toml", {"duration": 0.2, "law": "long_half", "after": 0.05}),
                      ("journal.toml", {"duration": 0.1, "law": "finite_full", "rtol": 1e-7}),
                      ("slider-crank.toml", {"duration": 2e-3, "integrator": "dopri5"}),
+                     ("slider-crank.toml", {"law": "short_half", "last_revolution": True}),
                      ("impact.toml", {}), ("space/spatial-slider-crank.toml", {"duration": 2e-3})):
-    columns, summary, warned = commanded(scenes / scene, *(word for name, value in given.items()
-                                                           for word in (f"--{name}", str(value))))
+    options = []
+    for name, value in given.items():
+        options += ["--" + name.replace("_", "-")] + ([] if value is True else [str(value)])
+    columns, summary, warned = commanded(scenes / scene, *options)
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         run = lubjoint.simulate(scenes / scene, **given)
@@ -358,6 +361,7 @@ for scene, given in (("journal.toml", {"duration": 0.2, "law": "long_half", "aft
         assert (numpy.isnan(run[name]) == [not text for text in texts]).all(), (scene, name)
     assert run.summary.pop("wall_s") >= 0 and summary.pop("wall_s") >= 0
     assert run.summary == summary and run.finished == (summary["status"] == "finished"), scene
+    assert ("after" in summary["joints"][0]) == ("after" in given or "last_revolution" in given), scene
 warnings.simplefilter("ignore")  # they were looked at above
 assert numpy.isfinite(lubjoint.simulate(scenes / "journal.toml", duration=0.01).values_by_column).all()
 journal = (scenes / "journal.toml").read_text()
@@ -376,6 +380,14 @@ for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"te
                      ("duration is -1", {"scene": scenes / "journal.toml", "duration": -1}),
                      ("after is 9", {"scene": scenes / "journal.toml", "duration": 0.1, "after": 9}),
                      ("plane", {"scene": scenes / "space" / "top.toml", "after": 0.1}),
+                     ("last_revolution is for scenes in the plane",
+                      {"scene": scenes / "space" / "top.toml", "last_revolution": True}),
+                     ("after and last_revolution are given; allowed is one of them",
+                      {"scene": scenes / "slider-crank.toml", "after": 0.01, "last_revolution": True}),
+                     ("last_revolution: the scene ends before one revolution",
+                      {"scene": scenes / "slider-crank.toml", "duration": 1e-3, "last_revolution": True}),
+                     ("last_revolution: nothing in the scene is driven round; allowed is after",
+                      {"text": journal.replace("spin = ", "spin = 0.0 # "), "last_revolution": True}),
                      ("no effect", {"scene": scenes / "slider-crank-ideal.toml", "law": "short_half"}),
                      ("one of scene and text", {}), ("NUL", {"text": "duration = 1\0"}), ("NUL", {"scene": "a\0b.toml"}),
                      ("eccentricity ratio 5000", {"text": journal.replace("position = [0.0, 0.0]", "position = [1.0, 0.0]")})):

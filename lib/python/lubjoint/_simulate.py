@@ -22,7 +22,7 @@ _number = ctypes.POINTER(ctypes.c_double)
 class _Request(ctypes.Structure):
     _fields_ = ([(name, ctypes.c_char_p) for name in ("file", "text", "law", "integrator")] +
                 [(name, _number) for name in ("rtol", "duration", "after")] +
-                [("films", ctypes.c_char_p), ("progress", _progress)])
+                [("films", ctypes.c_char_p), ("progress", _progress), ("last_revolution", ctypes.c_int)])
 
 
 @lru_cache(maxsize=None)
@@ -103,7 +103,7 @@ def _bytes(name, text, encode=str.encode):
 
 def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional[str] = None, law: Optional[str] = None,
              integrator: Optional[str] = None, rtol: Optional[float] = None, duration: Optional[float] = None,
-             after: Optional[float] = None) -> Run:
+             after: Optional[float] = None, last_revolution: bool = False) -> Run:
     """Runs a scene: a journal in its bearing or a mechanism, in the plane or (dimension = 3) in space.
 
     M dv/dt = forces of films, contacts, springs and gravity, with the constraints' reactions by Lagrange multipliers
@@ -115,12 +115,13 @@ def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional
     integrator  radau_iia5, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer, adams_bashforth_moulton or auto
     rtol        relative tolerance, 1e-14 to below 1; also the absolute one, in clearances
     duration    [s]
-    after       extremes from this time on, too [s], in the summary's key "after"; in the plane
+    after       extremes from this time on, too [s], in the key "after" of the summary's joints and drivers; in the plane
+    last_revolution  the same of the last revolution of the scene's driver, or of its journal
 
     The numbers are those of `lubjoint simulate`, bit for bit. What that warns of is warned of here. A run that stops
     before its end is returned, with Run.finished false. ValueError, with the message of the command, for a scene that
-    can't be used (it names the line and key) and for a setting that is not allowed. Error: that of the tolerance, at each
-    step; a film's law or table has its own.
+    can't be used (it names the line and key) and for a setting that is not allowed; after and last_revolution together
+    are not. Error: that of the tolerance, at each step; a film's law or table has its own.
 
     >>> run = simulate(text='''
     ... name = "journal"
@@ -158,7 +159,8 @@ def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional
     progress = _progress(partial(show_compiling, "the table of a film")) if on_terminal else _progress()
     numbers = [_pointer(number) for number in (rtol, duration, after)]
     request = _Request(_bytes("scene", scene, os.fsencode), _bytes("text", text), _bytes("law", law),
-                       _bytes("integrator", integrator), *numbers, os.fsencode(os.path.join(folder, "films")), progress)
+                       _bytes("integrator", integrator), *numbers, os.fsencode(os.path.join(folder, "films")), progress,
+                       bool(last_revolution))
     runs = _library()
     run = ctypes.c_void_p()
     status = runs.lubjoint_simulate(request, run)
