@@ -185,13 +185,13 @@ TEST_CASE("verify tables: certified losses, equilibria and contacts are its own 
 }
 
 TEST_CASE("gallery: every mistake about stiffness and damping is caught and named first, for every law") {
-  check_all_mistakes(Quantities::coefficients, 20);
+  check_all_mistakes(Quantities::coefficients, 21);
 }
 TEST_CASE("gallery: every mistake about a place of rest is caught and named first, for every law") {
   check_all_mistakes(Quantities::equilibrium, 8);
 }
 TEST_CASE("gallery: every mistake about torques, power and flow is caught and named first, for every law") {
-  check_all_mistakes(Quantities::losses, 10);
+  check_all_mistakes(Quantities::losses, 11);
 }
 
 TEST_CASE("gallery: every mistake about dry contact is caught and named first, for every law of contact") {
@@ -199,7 +199,7 @@ TEST_CASE("gallery: every mistake about dry contact is caught and named first, f
   for (std::size_t i = law_count; i < every_law_count; ++i) {
     const Law law{i};
     const auto known = mistakes_for(Quantities::contact, law);
-    CHECK(known.size() >= 12);
+    CHECK(known.size() >= 15);
     CHECK(verified(Quantities::contact, name_of(law), states, mistaken_answers(Quantities::contact, law, states, {}))
               .verdict == Verdict::agrees);
     for (const Mistake* mistake : known) {
@@ -230,6 +230,18 @@ TEST_CASE(
         CHECK(std::abs(low - restitution) > 1e-3);
       }
     }
+  }
+}
+
+TEST_CASE("gallery: how far (1 − c_r²)/c_r is off Gonthier's loss is what its mistake says") {
+  const std::string_view said = mistake_of("contact_law_gonthier_approximate").symptom;
+  for (const auto& [restitution, percent, words] :
+       {std::tuple{0.95L, 30, "exceeded by 30 % at c_r = 0.95"}, std::tuple{0.8L, 21, "by 21 % at 0.8"},
+        std::tuple{0.5L, 5, "by 5 % at 0.5"}, std::tuple{0.2L, -2, "missed by 2 % at 0.2"}}) {
+    const Real off =
+        (1 - restitution) * (1 + restitution) / restitution / contact_loss("gonthier"_law, restitution) - 1;
+    CHECK(std::abs(100 * off - percent) < 0.5L);  // half of the last digit that is printed
+    CHECK_THAT(std::string(said), Contains(words));
   }
 }
 

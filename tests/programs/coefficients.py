@@ -74,8 +74,8 @@ def turned(m, angle):
 
 def answer(mode, s):
     load, spin, c = s["load"], s["omega"], s["clearance"]
-    if mode == "half_spin":
-        s = dict(s, omega=spin / 2)
+    turn = {"half_spin": 0.5, "revolutions": 2 * math.pi, "to_revolutions": 1 / (2 * math.pi)}
+    s = dict(s, omega=spin * turn.get(mode.removeprefix("place_"), 1))
     if mode == "diameter":
         s = dict(s, radius=2 * s["radius"])
     if mode in ("half_load", "place_half_load"):
@@ -95,6 +95,8 @@ def answer(mode, s):
         k, d = [-x for x in k], [-x for x in d]
     elif mode == "mirrored":
         k, d = [k[0], -k[1], -k[2], k[3]], [d[0], -d[1], -d[2], d[3]]
+    elif mode == "not_mirrored" and spin < 0:
+        k, d = [k[0], -k[1], -k[2], k[3]], [d[0], -d[1], -d[2], d[3]]
     elif mode == "half_damping":
         d = [x / 2 for x in d]
     elif mode == "per_radian":
@@ -113,6 +115,8 @@ def answer(mode, s):
         place[1] = math.degrees(attitude)
     elif mode == "place_from_across":
         place[1] = math.pi / 2 - attitude
+    elif mode == "place_counter_clockwise":
+        place[1] = attitude * side
     elif mode == "place_thickness":
         place[0] = 1 - eps
     return place, k, d

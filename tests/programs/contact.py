@@ -41,15 +41,19 @@ def force(mode, law, clearance, contact_stiffness, restitution, impact_speed, ex
     if depth <= 0:
         return 0.0, 0.0
     loss = LOSS[law](restitution) * rate / impact_speed
+    if mode == "approximate":  # d = 1 - c_r^2 in place of the root
+        loss = (1 - restitution**2) / restitution * rate / impact_speed
     if mode == "elastic":
         loss = 0.0
+    elif mode == "half_loss":
+        loss /= 2
     elif mode == "rate_sign":
         loss = -loss
     elif mode == "no_impact_speed":
         loss *= impact_speed
     elif mode == "restitution":
         loss = 3 * (1 - restitution) / 4 * rate / impact_speed
-    normal = contact_stiffness * depth**(1 if mode == "linear" else 1.5) * (1 + loss)
+    normal = contact_stiffness * depth**{"linear": 1, "five_halves": 2.5}.get(mode, 1.5) * (1 + loss)
     if mode != "pulls":
         normal = max(normal, 0.0)
     if mode == "outwards":

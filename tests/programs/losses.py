@@ -44,6 +44,8 @@ def summed(s, n=4000):
 def answer(mode, s):
     if mode == "summed":
         return summed(s)
+    turn = {"revolutions": 2 * math.pi, "to_revolutions": 1 / (2 * math.pi)}.get(mode, 1)
+    s = dict(s, omega_journal=turn * s["omega_journal"], omega_bearing=turn * s["omega_bearing"])
     eps, a, b = kinematics(s)
     mu, length, radius, c = s["viscosity"], s["length"], s["radius"], s["clearance"]
     q = (1 - eps) * (1 + eps)
@@ -67,6 +69,18 @@ def answer(mode, s):
     flow = c * radius * length * abs(a)
     if mode == "shear_alone":
         journal, bearing = -torque, torque
+    elif mode in ("no_pressure", "no_pressure_torque"):  # and the power made of these torques
+        journal, bearing = -torque, torque
+        power = -journal * s["omega_journal"] - bearing * s["omega_bearing"]
+        if mode == "no_pressure_torque":
+            e = math.hypot(s["ex"], s["ey"])
+            along = (s["ex"], s["ey"]) if e > 0 else (s["vx"], s["vy"])
+            size = math.hypot(*along) or 1.0
+            rx, ry = along[0] / size, along[1] / size
+            fx, fy = radial * rx - tangential * ry, radial * ry + tangential * rx
+            power -= fx * s["vx"] + fy * s["vy"]
+    elif mode == "half_power":
+        power /= 2
     elif mode == "exchanged":
         journal, bearing = bearing, journal
     elif mode == "on_the_oil":

@@ -185,13 +185,19 @@ ANSWERS = {"cartesian": (force, "fx,fy"), "polar": (polar, "radial,tangential"),
            "extent": (extent, "theta_s,theta_e"), "pressure": (pressure, "pressure"),
            "dimensionless": (dimensionless, "fx,fy")}
 
+TURNS = {"revolutions": 2 * math.pi, "to_revolutions": 1 / (2 * math.pi)}  # spins of another unit
+
 
 def main():
     answer, columns = ANSWERS[sys.argv[1]]
     mode = sys.argv[2]
     print("id," + columns)
     for row in csv.DictReader(sys.stdin):
-        values = answer({name: float(value) for name, value in row.items() if name != "id"}, mode)
+        state = {name: float(value) for name, value in row.items() if name != "id"}
+        for name in ("omega", "omega_bearing", "omega_journal"):
+            if name in state:
+                state[name] *= TURNS.get(mode, 1)
+        values = answer(state, mode)
         print(",".join([row["id"]] + [repr(value) for value in values]))
 
 

@@ -122,6 +122,12 @@ const std::vector<FiniteMistake>& finite_gallery() {
          w.whirl *= 2;
        },
        nullptr},
+      {"spins_in_revolutions", "Spins in rad/s are taken for revolutions per second and converted: times 2π",
+       "The wedge is larger by a factor 6.28 where spin causes it; pure squeeze is right", anywhere, nullptr,
+       [](W& w) { w.wedge *= 2 * pi<double>(); }, nullptr},
+      {"spins_to_revolutions", "Spins are converted to revolutions per second and used as such: times 1/2π",
+       "The wedge is smaller by a factor 6.28 where spin causes it; pure squeeze is right", anywhere, nullptr,
+       [](W& w) { w.wedge /= 2 * pi<double>(); }, nullptr},
       {"attitude_rate_left_out", "The line of centres does not turn: a = εω",
        "Right in steady rotation; wrong wherever the line of centres turns", anywhere, nullptr,
        [](W& w) { w.whirl = 0; }, nullptr},

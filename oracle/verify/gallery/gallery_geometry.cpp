@@ -16,10 +16,16 @@ void scale_film(Solution& s, Real factor) {
   s.tangential *= factor;
 }
 
+void scale_spins_by(Solution& s, Real factor) {
+  for (Real* spin : {&s.omega_bearing, &s.omega_journal, &s.polar_omega}) *spin *= factor;
+}
 template <int numerator, int denominator>
 void scale_spins(Solution& s) {
-  constexpr Real factor = pi * numerator / denominator;
-  for (Real* spin : {&s.omega_bearing, &s.omega_journal, &s.polar_omega}) *spin *= factor;
+  scale_spins_by(s, pi * numerator / denominator);
+}
+template <int numerator, int denominator>
+void unscale_spins(Solution& s) {
+  scale_spins_by(s, denominator / (pi * numerator));
 }
 
 }  // namespace
@@ -79,10 +85,17 @@ std::vector<Mistake> unit_and_geometry_mistakes() {
        "Spins are converted to revolutions per minute and used as such: times 60/2π",
        "The wedge is larger by a factor 9.55 where spin causes it; pure squeeze is right",
        in_all,
-       {{Step::inputs,
-         [](S& s) {
-           for (Real* spin : {&s.omega_bearing, &s.omega_journal, &s.polar_omega}) *spin *= 30 / pi;
-         }}}},
+       {{Step::inputs, unscale_spins<1, 30>}}},
+      {"spins_in_revolutions",
+       "Spins in rad/s are taken for revolutions per second and converted: times 2π",
+       "The wedge is larger by a factor 6.28 where spin causes it; pure squeeze is right",
+       in_all,
+       {{Step::inputs, scale_spins<2, 1>}}},
+      {"spins_to_revolutions",
+       "Spins are converted to revolutions per second and used as such: times 1/2π",
+       "The wedge is smaller by a factor 6.28 where spin causes it; pure squeeze is right",
+       in_all,
+       {{Step::inputs, unscale_spins<2, 1>}}},
       {"lengths_in_millimetres",
        "Lengths are in millimetres while the viscosity stays in Pa s",
        "Every film force is a million times too large",

@@ -193,6 +193,11 @@ std::vector<Mistake> contact_mistakes() {
        "Wrong beyond c only, too small by √δ",
        in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 2, s.loss); }}}},
+      {"contact_exponent_5_2",
+       "The contact force is Kδ^{5/2}, not Kδ^{3/2}",
+       "Wrong beyond c only, too small by δ",
+       in_contact,
+       {{Step::contact, [](S& s) { set_normal(s, 2.5L, s.loss); }}}},
       {"restitution_not_squared",
        "3(1 − c_r)/4 instead of 3(1 − c_r²)/4",
        "Wrong beyond c only, where the journal moves radially",
@@ -208,6 +213,11 @@ std::vector<Mistake> contact_mistakes() {
        "Wrong beyond c only, where the journal moves radially",
        in_contact,
        {{Step::contact, [](S& s) { set_normal(s, 1.5L, 0); }}}},
+      {"contact_loss_halved",
+       "The term with the penetration rate is half as large: χ/2",
+       "Wrong beyond c only, where the journal moves radially",
+       in_contact,
+       {{Step::contact, [](S& s) { set_normal(s, 1.5L, s.loss / 2); }}}},
       {"penetration_rate_sign",
        "The penetration rate has the wrong sign",
        "Wrong beyond c only: the contact gives energy to the impact",
@@ -280,6 +290,17 @@ std::vector<Mistake> contact_mistakes() {
        "Right where the journal's distance does not change",
        is_another_contact<"gonthier"_law>,
        {{Step::inputs, use_contact<"gonthier"_law>}}},
+      {"contact_law_gonthier_approximate",
+       "The law is Gonthier's with d taken for 1 − c_r², as by Machado et al. (2012): χ = (1 − c_r²)/c_r",
+       "Right where the journal's distance does not change; Gonthier's own χ is exceeded by 30 % at c_r = 0.95, by 21 "
+       "% "
+       "at 0.8 and by 5 % at 0.5, and missed by 2 % at 0.2",
+       of_contact,
+       {{Step::contact,
+         [](S& s) {
+           const Real c = s.restitution;
+           set_normal(s, 1.5L, (1 - c) * (1 + c) / (c * s.impact_speed));
+         }}}},
       {"transport_moment_left_out",
        "The reaction acts at the bearing's centre: no transport moment e × (−F)",
        "Forces right; the bearing's moment wrong by e × F",

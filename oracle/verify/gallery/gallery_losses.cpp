@@ -121,6 +121,32 @@ std::vector<Mistake> loss_mistakes() {
        "Too small wherever there is a force",
        of_losses,
        {{Step::moments, [](S& s) { s.costs.power = s.costs.relative_spin * s.costs.couette; }}}},
+      {"pressure_left_out",
+       "Torques and power are those of the sheared oil alone: −½ e × F is left out of the torques, and the power is "
+       "−T_J ω_J − T_B ω_B of these",
+       "Right where e × F and the journal's rate vanish; the torques add up to zero",
+       of_losses,
+       {{Step::moments,
+         [](S& s) {
+           s.costs.torque_journal = -s.costs.couette;
+           s.costs.torque_bearing = s.costs.couette;
+           s.costs.power = s.costs.relative_spin * s.costs.couette;
+         }}}},
+      {"power_without_pressure_torque",
+       "−½ e × F is left out of the torques, and the power −T_J ω_J − T_B ω_B − F·v is that of these",
+       "Right where e × F vanishes; the power is off by ½(ω_J + ω_B) e × F",
+       of_losses,
+       {{Step::moments,
+         [](S& s) {
+           s.costs.torque_journal = -s.costs.couette;
+           s.costs.torque_bearing = s.costs.couette;
+           s.costs.power = s.costs.relative_spin * s.costs.couette - dot(s.force, s.v);
+         }}}},
+      {"power_halved",
+       "The power has a factor ½ too many: an energy's, or that of the mean of the spins",
+       "Half of what it should be",
+       of_losses,
+       {{Step::moments, [](S& s) { s.costs.power /= 2; }}}},
       {"power_of_journal_alone",
        "The power is −T_J ω_J: that of the bearing and of the journal's motion are left out",
        "Right where the bearing rests and the journal's centre does, too",

@@ -133,6 +133,14 @@ std::vector<Mistake> rest_mistakes() {
        "kxx and kyy are right, the others have the wrong sign",
        of_coefficients,
        {{Step::total, in_both<turn_cross_terms>}}},
+      {"coefficients_not_mirrored",
+       "The coefficients are those of |ω|: the cross terms keep their sign where the journal turns the other way",
+       "Right for ω > 0; kxy, kyx, cxy and cyx have the wrong sign for ω < 0",
+       of_coefficients,
+       {{Step::total,
+         [](S& s) {
+           if (s.rest.spin < 0) in_both<turn_cross_terms>(s);
+         }}}},
       {"coefficients_sign",
        "K and C are the derivatives of the force, F = K e + C v, where F = −K e − C v is asked for",
        "Every entry has the wrong sign",
