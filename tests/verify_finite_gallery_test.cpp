@@ -171,6 +171,7 @@ TEST_CASE("verify, finite films: a solver on a grid, written without the gallery
       {"not_mirrored", R"(["film_not_mirrored"])"},
       {"one_end", R"(["length_over_radius"])"},
       {"diametral", R"(["diametral_clearance"])"},
+      {"revolutions", R"(["spins_in_revolutions"])"},
       {"steady", R"(["steady_only"])"}};
   for (const auto& [mode, name] : expected) {
     INFO(mode);
@@ -178,4 +179,39 @@ TEST_CASE("verify, finite films: a solver on a grid, written without the gallery
     CHECK(result.status == 1);
     CHECK(first(result) == name);
   }
+}
+
+TEST_CASE("verify, finite films: programs of the dynamic film and of the one that ruptures are right, or named") {
+  for (const std::string film : {"dynamic", "reynolds"}) {
+    const auto judged = [&film](const std::string& mode) {
+      // 2 %: twice what the relaxed pressure is off on its grid of two degrees.
+      return lubjoint_program({"verify", "--law", "finite_" + film, "--at-most", "12", "--tolerance", "2e-2", "--json",
+                               "--", "python3", LUBJOINT_SOURCE_DIR "/tests/programs/finite.py", film + mode});
+    };
+    INFO(film);
+    const ProgramResult right = judged("");
+    CHECK(right.status == 0);
+    CHECK(nlohmann::json::parse(right.out).at("verdict") == "agrees");
+    CHECK(nlohmann::json::parse(right.out).at("states") == 12);
+    for (const auto& [mode, name] : {std::pair{"_half_length", "half_bearing_not_doubled"},
+                                     {"_length_over_radius", "length_over_radius"},
+                                     {"_no_squeeze", "squeeze_left_out"},
+                                     {"_half_squeeze", "squeeze_rate_halved"},
+                                     {"_diametral", "diametral_clearance"},
+                                     {"_to_revolutions", "spins_to_revolutions"},
+                                     {"_steady", "steady_only"}}) {
+      INFO(mode);
+      const ProgramResult result = judged(mode);
+      CHECK(result.status == 1);
+      const auto suspects = nlohmann::json::parse(result.out).at("suspects");
+      REQUIRE(!suspects.empty());
+      CHECK(suspects.at(0).at("mistakes") == nlohmann::json{name});
+    }
+  }
+  // One film's program for another is said to be that.
+  const ProgramResult other =
+      lubjoint_program({"verify", "--law", "finite_reynolds", "--at-most", "12", "--tolerance", "2e-2", "--json", "--",
+                        "python3", LUBJOINT_SOURCE_DIR "/tests/programs/finite.py", "dynamic"});
+  CHECK(other.status == 1);
+  CHECK(nlohmann::json::parse(other.out).at("other") == "finite_dynamic");
 }

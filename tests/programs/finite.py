@@ -1,14 +1,20 @@
 """Reynolds' equation for the real length of a bearing by finite differences around it and a cosine series along it.
 
-    finite.py MODE    right (the half film), full, coarse, or a mistake
+    finite.py MODE    right (the half film), full, dynamic, reynolds, coarse, or a mistake, of the dynamic and of the
+                      rupturing film with "dynamic_" or "reynolds_" before it
 
-States of `lubjoint verify --law finite_half` (or finite_full) on standard input, forces on standard output.
+States of `lubjoint verify --law finite_half` (or another) on standard input, forces on standard output. The film that
+ruptures where it will has no series along the bearing: its pressure is relaxed on a grid and kept from being negative.
 """
 import csv
 import math
 import sys
 
 MODE = sys.argv[1] if len(sys.argv) > 1 else "right"
+FILM = "half"
+for _film in ("dynamic", "reynolds"):
+    if MODE.startswith(_film):
+        FILM, MODE = _film, MODE.removeprefix(_film).removeprefix("_") or "right"
 POINTS = {"coarse": 64, "clipped": 120}.get(MODE, 240)  # around half of the bearing
 HARMONICS = {"coarse": 8, "clipped": 8}.get(MODE, 14)
 STATIONS = 16  # along the bearing, where a pressure is clipped
@@ -70,10 +76,47 @@ def modes(shape, eps, a, b, start, whole):
     return inner, step, found
 
 
+def ruptured(shape, eps, a, b, points=180, stations=8, sweeps=2000):
+    """Radial and tangential force over mu L R^3/c^2 of p >= 0 with d/dtheta(H^3 dp/dtheta) + (R/L)^2 H^3 d2p/dzeta2
+    = -g wherever p > 0, g = a sin(theta) - 2b cos(theta), zeta = z/L: over-relaxed by points, from the middle to an end.
+    """
+    step, across = 2 * math.pi / points, 0.5 / stations
+    angles = [step * i for i in range(points)]
+    cube = [(1 + eps * math.cos(t + step / 2))**3 / step**2 for t in angles]  # on the way to the next angle
+    along = [(1 + eps * math.cos(t))**3 / (2 * shape * across)**2 for t in angles]
+    source = [a * math.sin(t) - 2 * b * math.cos(t) for t in angles]
+    p = [[0.0] * (stations + 1) for _ in angles]  # the last is the end, and zero
+    relax = 1.85
+    for _ in range(sweeps):
+        largest = change = 0.0
+        for i in range(points):
+            west, east, w = p[i - 1], p[(i + 1) % points], p[i]
+            cw, ce, cz, g = cube[i - 1], cube[i], along[i], source[i]
+            total = cw + ce + 2 * cz
+            for j in range(stations):
+                inner = w[j - 1] if j else w[1]
+                new = w[j] + relax * ((g + cw * west[j] + ce * east[j] + cz * (inner + w[j + 1])) / total - w[j])
+                if new < 0:
+                    new = 0.0
+                change = max(change, abs(new - w[j]))
+                largest = max(largest, new)
+                w[j] = new
+        if change <= 1e-6 * largest:
+            break
+    # The trapezoid rule along the bearing, both halves; 6 mu (R/c)^2 is the pressure's unit, the equation's is that, too.
+    mean = [across * (w[0] + 2 * sum(w[1:stations])) for w in p]
+    return (6 * step * sum(m * math.cos(t) for m, t in zip(mean, angles)),
+            6 * step * sum(m * math.sin(t) for m, t in zip(mean, angles)))
+
+
 def force(shape, eps, a, b):
     """Radial and tangential force over mu L R^3/c^2."""
+    if FILM == "reynolds":
+        return ruptured(shape, eps, a, b)
     whole = MODE in ("full", "clipped")
     start = 0.0 if whole or a >= 0 or MODE == "not_mirrored" else math.pi
+    if FILM == "dynamic":
+        start = math.atan2(2 * b, a)
     angles, step, found = modes(shape, eps, a, b, start, whole)
     radial = tangential = 0.0
     for i, theta in enumerate(angles):
@@ -103,6 +146,9 @@ def answer(s):
         a = eps * (s["omega_bearing"] + s["omega_journal"])
     if MODE == "half_squeeze":
         b /= 2
+    if MODE in ("revolutions", "to_revolutions"):
+        a += eps * (s["omega_bearing"] + s["omega_journal"]) * (2 * math.pi if MODE == "revolutions" else 0.5 / math.pi)
+        a -= eps * (s["omega_bearing"] + s["omega_journal"])
     shape = s["length"] / (2 * s["radius"])
     if MODE == "length_over_radius":
         shape *= 2
