@@ -4,6 +4,7 @@
 
 #include "lubjoint/film/law_facts.hpp"
 #include "oracle/verify/states/golden_states.hpp"
+#include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 
@@ -29,6 +30,35 @@ void copy_changed(const TemporaryFolder& folder, const std::string& file, const 
 }
 
 }  // namespace
+
+TEST_CASE("golden forces without dimensions: over S omega they are those that data/README.md makes of them") {
+  std::size_t compared = 0;
+  for (const CsvRow& row : parse_csv(read_text(golden_folder() / "film_force.csv"))) {
+    const auto value = [&row](const char* name) { return number(row.at(name)); };
+    const Law law = law_of(row.at("law"));
+    const double ratio = value("eccentricity_ratio"), a = value("slip_rate"), b = value("squeeze_rate");
+    const double omega = std::max(std::abs(a), std::abs(b));
+    if (!(ratio >= 1e-3 && ratio <= 0.99 && omega > 1e-9 && omega < 1e9)) continue;
+    if (a != 0 && std::abs(a) < 0.01 * omega) continue;  // v_y would round a away
+    State state;
+    state.viscosity = state.length = state.radius = state.clearance = state.omega_journal = 1;
+    state.ex = ratio;
+    state.vx = b / omega;
+    state.vy = (ratio - a / omega) / 2;
+    const Solution s = solve(Quantities::dimensionless, law, state);
+    const double size = is_short(law) ? value("length") : value("radius");
+    const double unit = value("viscosity") * value("length") * value("radius") * size * size /
+                        (value("clearance") * value("clearance")) * omega;
+    const double radial = value("radial") / unit, tangential = value("tangential") / unit;
+    INFO(row.at("law") << " at " << ratio << ", a " << a << ", b " << b);
+    const double off =
+        std::hypot(static_cast<double>(s.answer[0]) - radial, static_cast<double>(s.answer[1]) - tangential);
+    // 1e-12: rounding of v_y, of a hundredth of its size, and up to 1/(1 − ε) of that of ε.
+    CHECK(off <= 1e-12 * std::hypot(radial, tangential));
+    ++compared;
+  }
+  CHECK(compared > 1000);
+}
 
 TEST_CASE("verify: the certified answers of the golden states are those of its own work") {
   for (const Quantities quantities : every_quantity) {
