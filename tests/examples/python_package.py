@@ -3,10 +3,12 @@
 import csv
 import doctest
 import importlib.metadata
+import inspect
 import io
 import json
 import os
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
@@ -397,11 +399,19 @@ for words, wrong in (("no_such.toml", {"scene": "no_such.toml"}), ("text:", {"te
     except ValueError as error:
         assert words in str(error) and "--" not in str(error), (wrong, error)
 
-# The examples in the documentation, and that every public name has one sentence at least.
+# The examples in the documentation, what each public function says, and that every public name has one sentence at least.
 for module in (_film, _oracle, _rest, _simulate, _verify):
     outcome = doctest.testmod(module)
     assert outcome.attempted >= 2 and outcome.failed == 0, (module, outcome)
 assert all(getattr(lubjoint, name).__doc__ for name in lubjoint.__all__)
+sections = {"shapes": r"\bshapes?\b|list of", "units": r"\[(N|m|rad|kg|W|-|s|1/s|N m)\]|SI units|without a unit",
+            "errors": r"\bValueError\b", "source": r"\bSource:", "formula": r" = | <= ", "example": ">>> "}
+left_out = {"laws": {"units", "errors", "source", "formula"}, "states": {"formula"}, "film_table": {"shapes"}}  # have none
+for name, function in inspect.getmembers(lubjoint, inspect.isfunction):
+    if name in lubjoint.__all__:
+        described, example, _ = function.__doc__.partition(">>> ")  # what an example does is no description
+        missing = {section for section, words in sections.items() if not re.search(words, described + example)}
+        assert missing <= left_out.get(name, set()), (name, missing)
 assert os.path.exists(os.path.join(os.path.dirname(lubjoint.__file__), "py.typed"))
 
 

@@ -21,7 +21,7 @@ def version() -> str:
 
 
 def laws() -> list[str]:
-    """Names of the film laws.
+    """Names of the film laws: a list of texts.
 
     >>> "short_dynamic" in laws()
     True
@@ -71,8 +71,8 @@ def polar_force(law: str, bearing: Bearing, eccentricity_ratio: ArrayLike, slip_
                 squeeze_rate: ArrayLike, out: Optional[Sequence[NDArray[numpy.float64]]] = None) -> tuple[Number, Number]:
     """Radial and tangential force of the film on the journal [N].
 
-    short_half, for one: F_r/S = -(eps |a|/q^2 + pi b (1 + 2 eps^2)/(2 q^(5/2))), S = mu R L^3/c^2, q = 1 - eps^2
-    (Flores et al. 2009, eqs. 8 and 9); every law's formula stands in its header.
+    short_half, for one: F_r/S = -(eps |a|/q^2 + pi b (1 + 2 eps^2)/(2 q^(5/2))), S = mu R L^3/c^2, q = 1 - eps^2.
+    Source: Flores et al. (2009), eqs. 8 and 9; every law's formula and source stand in its header and in data/README.md.
 
     law                 a name of laws()
     eccentricity_ratio  eps = e/c, from 0 to below 1
@@ -111,11 +111,14 @@ def journal_force(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx: 
                   out: Optional[Sequence[NDArray[numpy.float64]]] = None) -> tuple[Number, Number]:
     """Force of the film on the journal [N]: fx, fy, in the inertial frame of the motion.
 
+    F = F_r r + F_t t with r = e/|e|, t 90 degrees counter-clockwise of it, b = v.r/c and
+    a = eps (omega_J + omega_B) - 2 v.t/c. Source: Flores et al. (2009), eq. 19, of the law's radial and tangential force.
+
     ex, ey   the journal's centre minus the bearing's [m];  vx, vy  its inertial rate [m/s]
     omega_bearing, omega_journal  absolute spins [rad/s]
 
-    All broadcast. At e = 0 the radial direction is that of v. Errors as of polar_force. Source: Flores et al. (2009),
-    eq. 19, of the law's radial and tangential force.
+    All broadcast; the pair has their common shape. At e = 0 the radial direction is that of v. ValueError and
+    OverflowError as of polar_force.
 
     >>> bearing = Bearing(viscosity=0.4, length=0.04, radius=0.0098, clearance=2e-4)
     >>> fx, fy = journal_force("short_half", bearing, 1e-4, 0, 0, 0, 0, 50)  # steady, at half the clearance
@@ -148,9 +151,11 @@ def force_jacobian(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx:
 
     With e = c e^ and u = (v - (omega_J + omega_B)/2 e_perp)/c the chain rule of F = S f(e^, u), f differentiated with
     dual numbers: exact to rounding, of a compiled law as exact as its table's slopes. K = -by_place, C = -by_velocity.
+    Source: the laws' own formulas (as of polar_force) on dual numbers; no formula of a derivative is written down.
 
-    Motion and errors as of journal_force; all broadcast. At rest, and where a half film jumps, the derivatives are those
-    of one side.
+    Motion as of journal_force, [m], [m/s], [rad/s]; all broadcast, and the matrices are of shape (..., 2, 2). At rest, and
+    where a half film jumps, the derivatives are those of one side. ValueError for an unknown law or a row without a film
+    (it is named), OverflowError beyond double precision.
 
     >>> bearing = Bearing(viscosity=0.02, length=0.05, radius=0.05, clearance=5e-5)
     >>> rest = equilibrium("finite_reynolds", bearing, 5000, 314.159)
@@ -174,8 +179,12 @@ def transition_force(law: str, bearing: Bearing, contact: Contact, ex: ArrayLike
                      out: Optional[Sequence[NDArray[numpy.float64]]] = None) -> tuple[Number, Number]:
     """Force on a journal that may touch the wall [N]: film up to e = c, a blend over e0, dry contact beyond.
 
-    Flores et al. (2009), eq. 20, with the film's clearance c + e1 and F_N = K delta^(3/2) (1 + 3(1 - c_r^2) rate/(4
-    impact speed)), never pulling. Arguments and errors as of journal_force; defined for any eccentricity.
+    F = ((c + e0 - |e|) F_film - (|e| - c) F_N r)/e0 in the blend, the film's clearance being c + e1 throughout, and
+    F_N = K delta^(3/2) (1 + 3(1 - c_r^2) rate/(4 impact speed)), delta = |e| - c, never pulling. Source: Flores et al.
+    (2009), eq. 20, and Lankarani and Nikravesh (1990).
+
+    Arguments as of journal_force; all broadcast, and the pair has their common shape. Defined for any eccentricity.
+    ValueError for an unknown law or a Contact whose numbers are not allowed, OverflowError beyond double precision.
 
     >>> bearing = Bearing(viscosity=0.04, length=0.04, radius=0.01, clearance=2e-4)
     >>> contact = Contact(e0=4e-6, e1=2e-5, stiffness=1e10, restitution=0.9, impact_speed=0.1)
@@ -198,8 +207,14 @@ def joint_moments(ex: ArrayLike, ey: ArrayLike, sx_i: ArrayLike, sy_i: ArrayLike
                   out: Optional[Sequence[NDArray[numpy.float64]]] = None) -> tuple[Number, Number]:
     """Moments [N m] about the mass centres of the bearing's body i and the journal's body j, of a force on the journal.
 
-    -s_i x F - e x F and s_j x F: -F acts on body i at the journal's centre. sx_i ... sy_j are the arms from the mass
-    centres to the joint's centres [m]. All broadcast.
+    M_i = -s_i x F - e x F and M_j = s_j x F: -F acts on body i at the journal's centre. Source: Flores et al. (2009),
+    eqs. 33 and 34.
+
+    ex, ey         the journal's centre minus the bearing's [m];  fx, fy  on the journal [N]
+    sx_i ... sy_j  the arms from the mass centres to the joint's centres [m]
+
+    All broadcast; the pair has their common shape. ValueError for shapes that don't broadcast, OverflowError for a moment
+    that is no finite number. The error is a few roundings of the products.
 
     >>> joint_moments(0, 0, 0.1, 0, -0.1, 0, 0, 3)
     (-0.30000000000000004, -0.30000000000000004)

@@ -72,6 +72,9 @@ def film_table(law: str, bearing: Bearing) -> FilmTable:
 
     law  finite_full, finite_half, finite_dynamic or finite_reynolds; L/D = length/(2 radius) from 0.05 to 10
 
+    Its numbers are those of one bearing and without a unit; error = the bound of |F - F_solved|/|F|. Source: the solvers
+    of oracle_force, at the table's places and, for its error, between them.
+
     Tables for L/D 1/4, 1/2, 1 and 2.04 ship. Others are made by the solvers of Reynolds' equation at the first call, on
     all cores (finite_reynolds takes a minute or two, the others seconds), and kept in the user's cache. The error is
     measured against a solver of another family, or a finer one, at states off the table's places. ValueError for a law
@@ -115,7 +118,8 @@ class SolvedForce:
 def oracle_force(film: str, bearing: Bearing, eccentricity_ratio: ArrayLike, slip_rate: ArrayLike,
                  squeeze_rate: ArrayLike, onset: Optional[str] = None, tolerance: Optional[float] = None) -> SolvedForce:
     """Force of a film on the journal [N] without any force law, and no table is asked: films of finite length by solving
-    Reynolds' equation (Reynolds 1886), the limits of short and long bearings by integrating their pressure.
+    Reynolds' equation, the limits of short and long bearings by integrating their pressure. Source: Reynolds (1886); for
+    the limits Flores et al. (2009), eqs. 3 and 5.
 
     finite_*: (1/R^2) d/dtheta(H^3 dp/dtheta) + H^3 d2p/dz2 = -(6 mu/c^2)(a sin theta - 2b cos theta), H = 1 + eps cos
     theta, p = 0 at |z| = L/2; F = R double integral of p (cos theta, sin theta).
@@ -127,7 +131,8 @@ def oracle_force(film: str, bearing: Bearing, eccentricity_ratio: ArrayLike, sli
                finite_dynamic (p = 0 at atan2(2b, a) and pi further) or finite_reynolds (p >= 0, p = dp/dn = 0 where the
                film ruptures and reforms: Swift and Stieber); short_full, short_half, short_dynamic, long_full, long_half,
                long_half_eq5 or long_dynamic, integrated over the same extents
-    eccentricity_ratio, slip_rate, squeeze_rate  as of polar_force; they broadcast
+    eccentricity_ratio, slip_rate, squeeze_rate  as of polar_force, [-] and [1/s]; they broadcast, and all four answers
+               have their common shape
     onset      where the film of finite_reynolds starts: "free" (default), or "maximum_film" in a steady wedge
     tolerance  of the error over |F|: 1e-12 to 0.1, by default 1e-3; of the integrals 1e-15 to 0.1, by default 1e-13
 

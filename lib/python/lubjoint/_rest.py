@@ -67,8 +67,10 @@ def losses(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx: ArrayLi
     T_B = T_C - e x F/2, power = omega T_C - c F.u, side flow cRL |a| (half films), 2 cRL |u| (dynamic films), 0 (full).
     Source: the wall shear -+mu omega R/h - (h/2R) dp/dtheta, integrated.
 
-    Motion as of journal_force; all broadcast. shear: the part of the gap that shears, "film", "flooded" or, for half
-    films, "striated"; finite_reynolds, whose table does not know where its film ends, has "flooded" alone. ValueError for an unknown law, a shear that it has not, a row without a film.
+    Motion as of journal_force, [m], [m/s], [rad/s]; all broadcast, and the answers have the common shape. shear: the part
+    of the gap that shears, "film", "flooded" or, for half films, "striated"; finite_reynolds, whose table does not know
+    where its film ends, has "flooded" alone. ValueError for an unknown law, a shear that it has not, a row without a film;
+    OverflowError beyond double precision.
 
     >>> bearing = Bearing(viscosity=0.02, length=0.05, radius=0.05, clearance=5e-5)
     >>> cost = losses("short_dynamic", bearing, 1.46133e-5, -6.23547e-6, 0, 0, 0, 314.159)
@@ -89,7 +91,15 @@ def losses(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx: ArrayLi
 
 def film_losses(law: str, bearing: Bearing, ex: ArrayLike, ey: ArrayLike, vx: ArrayLike, vy: ArrayLike,
                 omega_bearing: ArrayLike, omega_journal: ArrayLike, shear: str = "film") -> Losses:
-    """losses() by its former name."""
+    """losses() by its former name: friction torques [N m], power [W] and side flow [m^3/s].
+
+    T_J = -T_C - e x F/2, T_B = T_C - e x F/2, power = omega T_C - c F.u. Arguments, shapes, ValueError and OverflowError as
+    of losses(). Source: as there.
+
+    >>> bearing = Bearing(viscosity=0.02, length=0.05, radius=0.05, clearance=5e-5)
+    >>> film_losses("short_half", bearing, [1e-5, 2e-5], 0, 0, 0, 0, 300).power.shape
+    (2,)
+    """
     return losses(law, bearing, ex, ey, vx, vy, omega_bearing, omega_journal, shear)
 
 
@@ -97,6 +107,13 @@ def film_coefficients(law: str, bearing: Bearing, eccentricity_ratio: ArrayLike,
     """Load, attitude, stiffness, damping and critical mass of a journal of spin omega [rad/s], of either sign and not 0,
     that rests at an eccentricity ratio above 0 and below 1 in a bearing that does not turn. x along the load on the
     journal, y 90 degrees counter-clockwise of it. coefficients() takes a load, too.
+
+    load = |F(eps)| [N], K = -dF/de [N/m], C = -dF/dv [N s/m], as of coefficients(); the critical mass [kg] by Routh's
+    condition on m x'' + C x' + K x = 0. Source: the derivatives of the laws' formulas, in closed form.
+
+    Eccentricity ratio and omega broadcast; matrices are of shape (..., 2, 2). ValueError for an unknown law, one of the
+    squeeze alone, which carries nothing at rest, and a row with another ratio or no spin (it is named); OverflowError
+    beyond double precision.
 
     >>> bearing = Bearing(viscosity=0.04, length=0.04, radius=0.01, clearance=2e-4)
     >>> rest = film_coefficients("short_half", bearing, 0.5, 50)
@@ -117,8 +134,11 @@ def equilibrium(law: str, bearing: Bearing, load: ArrayLike, omega: ArrayLike) -
     """Where a journal of spin omega [rad/s], of either sign and not 0, rests under a load above 0 [N].
 
     The root of |F(eps)| = load with a = eps omega, b = 0, the bearing at rest; the attitude angle is atan2(F_t, -F_r)
-    there. Load and omega broadcast. ValueError for a law of the squeeze alone, which carries nothing at rest, and for a
-    row that has no such place. Good to a few roundings of the load.
+    there [rad]. Source: the balance of the load with the law's force (as of polar_force), by a bracketed root.
+
+    Load and omega broadcast; both answers have their common shape. ValueError for an unknown law, one of the squeeze
+    alone, which carries nothing at rest, and for a row that has no such place (it is named). Good to a few roundings of
+    the load.
 
     >>> bearing = Bearing(viscosity=0.02, length=0.05, radius=0.05, clearance=5e-5)
     >>> rest = equilibrium("short_dynamic", bearing, 5000, [100.0, 314.159])
@@ -137,14 +157,15 @@ def coefficients(law: str, bearing: Bearing, omega: ArrayLike, load: Optional[Ar
     """Stiffness K = -dF/de and damping C = -dF/dv of a film, at the load [N] or at the eccentricity ratio that is given.
 
     In radial and tangential axes K = (-F_r', F_t/eps; -F_t', -F_r/eps)/c with ' = d/d eps along a = eps omega, and
-    C = (-dF_r/db, 2 dF_r/da; -dF_t/db, 2 dF_t/da)/c, turned into x and y; closed forms, held against exact derivatives.
+    C = (-dF_r/db, 2 dF_r/da; -dF_t/db, 2 dF_t/da)/c, turned into x and y. Source: the derivatives of the laws' formulas
+    in closed form, held against dual numbers; short_half's also in Friswell et al., Dynamics of Rotating Machines (2010).
 
     omega  spin of the journal [rad/s], of either sign and not 0; the bearing is at rest
     axes   "load": x along the load on the journal, y 90 degrees counter-clockwise of it;
            "inertial": the load along -y, as `lubjoint verify --quantities coefficients` has it
 
-    Arguments broadcast; matrices are of shape (..., 2, 2). ValueError as of equilibrium, and unless one of load and
-    eccentricity_ratio is given.
+    Arguments broadcast; matrices are of shape (..., 2, 2), K in N/m and C in N s/m. ValueError as of equilibrium, and
+    unless one of load and eccentricity_ratio is given; OverflowError beyond double precision.
 
     >>> bearing = Bearing(viscosity=0.02, length=0.05, radius=0.05, clearance=5e-5)
     >>> rest = coefficients("short_dynamic", bearing, 314.159, load=5000)
@@ -181,9 +202,11 @@ def mobility(law: str, bearing: Bearing, ex_over_c: ArrayLike, ey_over_c: ArrayL
 
     Full films: closed, u = -(q^(3/2)/(pi S)) [F - 3 (e.F) e/(1 + 2 eps^2)] (short); short_dynamic: one equation for the
     direction, with one solution; others: Newton's method with exact derivatives. A journal moves at
-    c u + (omega_J + omega_B)/2 e_perp. Half films have no velocity for some forces and two for others (status).
+    c u + (omega_J + omega_B)/2 e_perp. Half films have no velocity for some forces and two for others (status). Source:
+    Booker (1965), J. Basic Eng. 87, 537-546; Childs, Moes and van Leeuwen (1977), J. Lubr. Technol. 99, 198-210.
 
-    All broadcast. ValueError for butenschoen, which has no inverse, and for rows with e/c >= 1 or no finite force.
+    e/c [-] and force [N] in the same axes; all broadcast, and the answers have the common shape. ValueError for an unknown
+    law, for butenschoen, which has no inverse, and for rows with e/c >= 1 or no finite force (they are named).
 
     >>> bearing = Bearing(viscosity=0.4, length=0.04, radius=0.0098, clearance=2e-4)
     >>> u = mobility("short_dynamic", bearing, 0.5, 0, [-40, 40], 0)

@@ -106,8 +106,9 @@ def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional
              after: Optional[float] = None, last_revolution: bool = False) -> Run:
     """Runs a scene: a journal in its bearing or a mechanism, in the plane or (dimension = 3) in space.
 
-    M dv/dt = forces of films, contacts, springs and gravity, with the constraints' reactions by Lagrange multipliers
-    (Flores et al. 2009, sections 2 to 6); a free journal: m dv/dt = F_film + load. data/scenes.md lists a scene's keys.
+    M dv/dt = forces of films, contacts, springs and gravity, with the constraints' reactions by Lagrange multipliers; a
+    free journal: m dv/dt = F_film + load. Source: Flores et al. (2009), sections 2 to 6. data/scenes.md lists a scene's
+    keys. The arrays of a run are of shape (rows,), one number an output time, in SI units.
 
     scene       path of a scene file (TOML), or
     text        a scene's text in place of a file

@@ -124,7 +124,9 @@ def states(quantities: str = "cartesian", random: Optional[int] = None, seed: Op
            domain: Domain = None, steady: bool = False, shear: Optional[str] = None, at_most: Optional[int] = None,
            law: str = "auto", onset: Optional[str] = None) -> dict[str, NDArray[numpy.float64]]:
     """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones;
-    of a film of finite length (law="finite_...") 120 of its own. Arguments as of verify().
+    of a film of finite length (law="finite_...") 120 of its own. Arguments as of verify(). SI units; one array a column,
+    all of shape (states,). Source: the golden ones are those of data/golden. ValueError for unknown quantities, a domain
+    that can't be read or holds no state, and an argument without effect.
 
     >>> list(states("coefficients", random=0))
     ['viscosity', 'length', 'radius', 'clearance', 'omega', 'load']
@@ -198,8 +200,9 @@ def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "c
     at_most    states in all, chosen to cover the regimes, for a slow function
     onset      of finite_reynolds: where the film begins in a steady wedge, "free" (default) or "maximum_film"
 
-    ValueError for an unknown law or quantities, an argument without effect, or answers of another shape. What a verdict
-    rests on: oracle/verify/README.md.
+    States and answers are in SI units. ValueError for an unknown law or quantities, an argument without effect, or answers
+    of another shape. A state is right where |answer - right| <= what the rounding of its inputs does to the right answer,
+    or tolerance times its size. Source: oracle/verify/README.md says what a verdict rests on.
 
     >>> import lubjoint
     >>> def place(viscosity, length, radius, clearance, omega, load):
