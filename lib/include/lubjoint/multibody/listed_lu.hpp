@@ -11,7 +11,7 @@
 namespace lubjoint {
 
 /// Factors of square matrices that share their places of zeros and suit the same pivots: of equations of motion along a
-/// path, whose elements change and whose structure does not. The search costs O(n⁴) at worst; a factorisation and a
+/// path, whose elements change and whose structure does not. The search costs O(n³); a factorisation and a
 /// solution go through their lists and touch no zero. No pivot is looked for while factorising: the caller watches
 /// the inverse pivots and searches again when they get small. The numbers are the caller's: elements where he has them,
 /// fill behind them.
@@ -28,17 +28,22 @@ class ListedLu {
   bool find_order(std::size_t n, std::vector<R> a, const std::vector<Number>& places, std::size_t first_free) {
     using std::abs;
     n_ = n;
-    std::vector<bool> pattern(n * n);
+    std::vector<unsigned char> pattern(n * n), row_taken(n, 0), column_taken(n, 0);
     for (std::size_t i = 0; i < n * n; ++i) pattern[i] = places[i] != none;
-    std::vector<bool> row_taken(n, false), column_taken(n, false);
+    std::vector<std::size_t> in_row(n), in_column(n);  // elements that are left
     pivot_rows_.clear();
     pivot_columns_.clear();
     const auto at = [n](std::size_t i, std::size_t j) { return i * n + j; };
     for (std::size_t step = 0; step < n; ++step) {
       R largest(0);
+      std::fill(in_row.begin(), in_row.end(), 0);
+      std::fill(in_column.begin(), in_column.end(), 0);
       for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-          if (!row_taken[i] && !column_taken[j]) largest = std::max<R>(largest, abs(a[at(i, j)]));
+          if (row_taken[i] || column_taken[j]) continue;
+          largest = std::max<R>(largest, abs(a[at(i, j)]));
+          in_row[i] += pattern[at(i, j)];
+          in_column[j] += pattern[at(i, j)];
         }
       }
       if (!(largest > R(1e-9))) return false;
@@ -49,12 +54,7 @@ class ListedLu {
         for (std::size_t j = 0; j < n; ++j) {
           const R size = abs(a[at(i, j)]);
           if (column_taken[j] || !(size >= largest / 5)) continue;
-          std::size_t in_row = 0, in_column = 0;
-          for (std::size_t k = 0; k < n; ++k) {
-            in_row += !column_taken[k] && pattern[at(i, k)];
-            in_column += !row_taken[k] && pattern[at(k, j)];
-          }
-          const std::size_t fill = (in_row - 1) * (in_column - 1);
+          const std::size_t fill = (in_row[i] - 1) * (in_column[j] - 1);
           if (fill < best || (fill == best && size > best_size)) {
             best = fill;
             best_row = i;
@@ -63,8 +63,7 @@ class ListedLu {
           }
         }
       }
-      row_taken[best_row] = true;
-      column_taken[best_column] = true;
+      row_taken[best_row] = column_taken[best_column] = 1;
       pivot_rows_.push_back(static_cast<Number>(best_row));
       pivot_columns_.push_back(static_cast<Number>(best_column));
       for (std::size_t i = 0; i < n; ++i) {
@@ -73,7 +72,7 @@ class ListedLu {
         for (std::size_t j = 0; j < n; ++j) {
           if (column_taken[j] || !pattern[at(best_row, j)]) continue;
           a[at(i, j)] -= factor * a[at(best_row, j)];
-          pattern[at(i, j)] = true;
+          pattern[at(i, j)] = 1;
         }
       }
     }
