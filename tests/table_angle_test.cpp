@@ -146,8 +146,9 @@ TEST_CASE("table of an angle: integrators keep their orders across knots that a 
     double order, loose, tight;
   };
   // Swings over three knots and back, and turns that go round the other way. The order is the slope of all errors over
-  // all numbers of steps, along tolerances a tenth apart: single ones scatter. A stage of a step that ends at a knot
-  // lies beyond it by what the stage is off, and must not read the next row's line there: of order 8, 7 were left.
+  // all numbers of steps, along tolerances a tenth apart, from steps that are shorter than most rows to errors that are
+  // not yet rounding: single ones scatter. A stage of a step that ends at a knot lies beyond it by what the stage is
+  // off, and must not read the next row's line there: of order 8, 7 were left.
   struct Case {
     double angle, spin;
     SceneCoordinates coordinates;

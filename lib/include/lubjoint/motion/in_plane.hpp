@@ -57,7 +57,8 @@ struct InPlane {
   // Rows of Φ in A.
 
   static std::size_t constraint_rows(const System& system) { return system.constraint_rows(); }  ///< of A
-  static std::size_t system_row(const System&, std::size_t row) { return row; }                  ///< of a row of A
+  /// The system's number of a row of A.
+  static std::size_t system_row(const System&, std::size_t row) { return row; }
 
   /// Evaluates a constraint at the frames and hands each of its rows to keep(its number in A, row).
   template <class Keep>

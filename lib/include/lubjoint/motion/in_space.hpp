@@ -58,9 +58,8 @@ struct InSpace {
   // Rows of Φ in A.
 
   static std::size_t constraint_rows(const System& system) { return system.kept().size(); }  ///< of A
-  static std::size_t system_row(const System& system, std::size_t row) {
-    return system.kept()[row];
-  }  ///< of a row of A
+  /// The system's number of a row of A.
+  static std::size_t system_row(const System& system, std::size_t row) { return system.kept()[row]; }
 
   /// Evaluates a constraint at the frames and hands each of its rows that is kept to keep(its number in A, row).
   template <class Keep>
