@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "lubjoint/film/every_law.hpp"
@@ -221,4 +222,24 @@ TEST_CASE("documentation: the program in Octave agrees with the golden forces") 
     return;
   }
   CHECK(ended("octave-cli -q -", block_of("/data/README.md", "matlab")).status == 0);
+}
+
+TEST_CASE("documentation: what the README says of the extreme cases is what is stored of their runs") {
+  std::map<std::string, int> count;
+  std::set<std::string> cases;
+  int runs = 0;
+  for (const CsvRow& row : read_csv(LUBJOINT_SOURCE_DIR "/data/measured/stress.csv")) {
+    ++count[row.at("status")];
+    cases.insert(row.at("case"));
+    ++runs;
+  }
+  std::ostringstream said;
+  said << "of " << runs << " runs of " << cases.size() << " cases " << count["finished"]
+       << " finished near their reference in place, velocity and force, " << count["coarse"]
+       << " finished further off and had warned of their own tolerance, " << count["unreferenced"]
+       << " finished without a reference, " << count["stopped"] << " stopped with a reason, " << count["wrong"]
+       << " are wrong.";
+  CHECK(count["finished"] + count["coarse"] + count["unreferenced"] + count["stopped"] + count["wrong"] == runs);
+  const std::string readme = std::regex_replace(read_text(LUBJOINT_SOURCE_DIR "/README.md"), std::regex("\\n"), " ");
+  CHECK(readme.find(said.str()) != std::string::npos);
 }
