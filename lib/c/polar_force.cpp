@@ -19,22 +19,12 @@ int lubjoint_polar_force(const char* law, const lubjoint_bearing* bearing, size_
     require_film_law<NamedFilmLaws>(law);
     const Bearing<double> geometry = bearing_of(*bearing);
     const Lubricant<double> oil(bearing->viscosity);
-    if (const auto table = table_of(law, geometry)) {
-      std::visit(
-          [&]<class Law>(const Law& compiled) {
-            const double scale = force_scale(Law::limit, geometry, oil);
-            for_rows(n, radial, tangential, [&](std::size_t i) {
-              const PolarFilmState<double> state(at(eccentricity_ratio, i), at(slip_rate, i), at(squeeze_rate, i));
-              const PolarForce<double> ratio = compiled_polar_force_ratio(compiled, state);
-              return Vector2<double>(scale * ratio.radial, scale * ratio.tangential);
-            });
-          },
-          table->law);
-      return;
-    }
+    const auto table = table_of(law, geometry);
     for_blocks(n, std::array{eccentricity_ratio, slip_rate, squeeze_rate}, radial, tangential,
                [&](const auto& s, const ForceArrays& forces) {
-                 film_forces(law, geometry, oil, PolarStateArrays{s[0], s[1], s[2]}, forces);
+                 const PolarStateArrays states{s[0], s[1], s[2]};
+                 if (table == nullptr) return film_forces(law, geometry, oil, states, forces);
+                 film_forces(table->law, geometry, oil, states, forces);
                });
   });
 }

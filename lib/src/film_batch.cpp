@@ -4,7 +4,6 @@
 
 #include "film_rows.hpp"
 #include "lubjoint/film/batch.hpp"
-#include "lubjoint/film/every_law.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define LUBJOINT_HAS_AVX2 1
@@ -165,12 +164,39 @@ detail::PlaneRows plane_rows(const FilmStateArrays& s, const ForceArrays& forces
   return {s.ex.data(), s.ey.data(), s.ux.data(), s.uy.data()};
 }
 
+detail::PolarRows polar_rows(const PolarStateArrays& s, const ForceArrays& forces, InstructionSet set) {
+  require_arrays(
+      {{"eccentricity_ratio", s.eccentricity_ratio}, {"slip_rate", s.slip_rate}, {"squeeze_rate", s.squeeze_rate}},
+      forces, set);
+  return {s.eccentricity_ratio.data(), s.slip_rate.data(), s.squeeze_rate.data()};
+}
+
+detail::MotionRows motion_rows(const JournalMotionArrays& m, double clearance, const ForceArrays& forces,
+                               InstructionSet set) {
+  require_arrays({{"ex", m.ex},
+                  {"ey", m.ey},
+                  {"vx", m.vx},
+                  {"vy", m.vy},
+                  {"bearing_spin", m.bearing_spin},
+                  {"journal_spin", m.journal_spin}},
+                 forces, set);
+  return {m.ex.data(), m.ey.data(), m.vx.data(), m.vy.data(), m.bearing_spin.data(), m.journal_spin.data(), clearance};
+}
+
 Vector2<double> as_pair(const Vector2<double>& force) { return force; }
 Vector2<double> as_pair(const PolarForce<double>& force) { return {force.radial, force.tangential}; }
+
+void require_formula(std::string_view law) {
+  if (!is_compiled_law(law)) return;
+  throw std::invalid_argument("the law " + std::string(law) +
+                              " is a table, and its name alone has none; allowed is the law with its table, as "
+                              "read_compiled_film and with_compiled_law make it");
+}
 
 template <class Rows>
 void evaluate_in_bearing(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                          const Rows& rows, const ForceArrays& forces, InstructionSet set) {
+  require_formula(law);
   with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
     if constexpr (ShapedFilmLaw<Law>) {
       require_shape<Law>(length_to_diameter(bearing));
@@ -181,11 +207,35 @@ void evaluate_in_bearing(std::string_view law, const Bearing<double>& bearing, c
   });
 }
 
+template <class Law>
+Vector2<double> ratio_of(const Law& law, const FilmState<double>& film) {
+  return compiled_force_ratio(law, film);
+}
+
+template <class Law>
+Vector2<double> ratio_of(const Law& law, const PolarFilmState<double>& state) {
+  return as_pair(compiled_polar_force_ratio(law, state));
+}
+
+template <class Rows>
+void evaluate_in_bearing(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                         const Rows& rows, const ForceArrays& forces) {
+  std::visit(
+      [&]<class Law>(const Law& compiled) {
+        require_shape_of(compiled, bearing);
+        const double scale = force_scale(Law::limit, bearing, oil);
+        evaluate_singly(rows, forces,
+                        [&](const auto& state) -> Vector2<double> { return scale * ratio_of(compiled, state); });
+      },
+      law);
+}
+
 }  // namespace
 
 void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
                        InstructionSet set) {
   const detail::PlaneRows rows = plane_rows(states, ratios, set);
+  require_formula(law);
   with_film_law<EveryFilmLaw>(law, [&]<class Law>() {
     if constexpr (ShapedFilmLaw<Law>) {
       throw std::invalid_argument("the force ratio of " + std::string(law) +
@@ -202,26 +252,38 @@ void film_forces(std::string_view law, const Bearing<double>& bearing, const Lub
 }
 
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
-                 const PolarStateArrays& s, const ForceArrays& forces, InstructionSet set) {
-  require_arrays(
-      {{"eccentricity_ratio", s.eccentricity_ratio}, {"slip_rate", s.slip_rate}, {"squeeze_rate", s.squeeze_rate}},
-      forces, set);
-  const detail::PolarRows rows{s.eccentricity_ratio.data(), s.slip_rate.data(), s.squeeze_rate.data()};
-  evaluate_in_bearing(law, bearing, oil, rows, forces, set);
+                 const PolarStateArrays& states, const ForceArrays& forces, InstructionSet set) {
+  evaluate_in_bearing(law, bearing, oil, polar_rows(states, forces, set), forces, set);
 }
 
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
-                 const JournalMotionArrays& m, const ForceArrays& forces, InstructionSet set) {
-  require_arrays({{"ex", m.ex},
-                  {"ey", m.ey},
-                  {"vx", m.vx},
-                  {"vy", m.vy},
-                  {"bearing_spin", m.bearing_spin},
-                  {"journal_spin", m.journal_spin}},
-                 forces, set);
-  const detail::MotionRows rows{m.ex.data(),           m.ey.data(),           m.vx.data(),        m.vy.data(),
-                                m.bearing_spin.data(), m.journal_spin.data(), bearing.clearance()};
-  evaluate_in_bearing(law, bearing, oil, rows, forces, set);
+                 const JournalMotionArrays& motions, const ForceArrays& forces, InstructionSet set) {
+  evaluate_in_bearing(law, bearing, oil, motion_rows(motions, bearing.clearance(), forces, set), forces, set);
+}
+
+void film_force_ratios(const AnyCompiledLaw& law, const FilmStateArrays& states, const ForceArrays& ratios) {
+  const detail::PlaneRows rows = plane_rows(states, ratios, InstructionSet::scalar);
+  std::visit(
+      [&](const auto& compiled) {
+        evaluate_singly(rows, ratios, [&](const FilmState<double>& film) { return ratio_of(compiled, film); });
+      },
+      law);
+}
+
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const FilmStateArrays& states, const ForceArrays& forces) {
+  evaluate_in_bearing(law, bearing, oil, plane_rows(states, forces, InstructionSet::scalar), forces);
+}
+
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const PolarStateArrays& states, const ForceArrays& forces) {
+  evaluate_in_bearing(law, bearing, oil, polar_rows(states, forces, InstructionSet::scalar), forces);
+}
+
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const JournalMotionArrays& motions, const ForceArrays& forces) {
+  evaluate_in_bearing(law, bearing, oil, motion_rows(motions, bearing.clearance(), forces, InstructionSet::scalar),
+                      forces);
 }
 
 }  // namespace lubjoint

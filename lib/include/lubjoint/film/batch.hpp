@@ -5,7 +5,10 @@
 ///
 /// On x86-64 with AVX2 and FMA, which is found out at run time, full films, half films and Pinkus–Sternlicht are
 /// evaluated four rows an instruction. The two dynamic films (arctangent, series), all laws elsewhere, and single rows
-/// that need care (u = 0; ê = 0 under a half film; |u| or |ê| beyond 1e±59) are evaluated one by one.
+/// that need care (u = 0; ê = 0 under a half film; |u| or |ê| beyond 1e±59) are evaluated one by one. So are the laws
+/// that are tables, whose sums are vector instructions in each row already; their bits are those of the functions for
+/// one state if both are compiled for the same instruction set, which is what decides the order in which a sum is
+/// taken.
 ///
 /// An array that is written may be one that is read. Nothing is allocated.
 /// This header needs the compiled part lubjoint::batch.
@@ -18,6 +21,7 @@
 #include <string_view>
 
 #include "lubjoint/film/bearing.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/film/film_state.hpp"
 
 namespace lubjoint {
@@ -92,14 +96,14 @@ bool is_available(InstructionSet set);
 InstructionSet fastest_instruction_set();
 
 /// Forces over the force scale, F/S [1/s].
-/// @param law  any but those of finite length, whose ratio depends on the bearing's L/D
+/// @param law  any but those of finite length, whose ratio depends on the bearing's L/D; tables have a function below
 /// @throws FilmRowError, ForceRowError; std::invalid_argument for an unknown law, arrays of different lengths, an array
 ///         that is written and overlaps another without being it, and an instruction set that is not available
 void film_force_ratios(std::string_view law, const FilmStateArrays& states, const ForceArrays& ratios,
                        InstructionSet set = fastest_instruction_set());
 
-/// Forces of the film on the journal [N] by any law; errors as of film_force_ratios, and as of require_shape for a
-/// bearing that a law of finite length is not made for.
+/// Forces of the film on the journal [N] by any law that is a formula; errors as of film_force_ratios, and as of
+/// require_shape for a bearing that a law of finite length is not made for.
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const FilmStateArrays& states, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());
@@ -111,5 +115,20 @@ void film_forces(std::string_view law, const Bearing<double>& bearing, const Lub
 void film_forces(std::string_view law, const Bearing<double>& bearing, const Lubricant<double>& oil,
                  const JournalMotionArrays& motions, const ForceArrays& forces,
                  InstructionSet set = fastest_instruction_set());
+
+/// The same by a law with its table; its ratio needs no bearing, as the table is of one L/D. F/S as in its header, to
+/// the error that the table states. FiniteFull, FiniteHalf, FiniteDynamic and FiniteReynolds convert to AnyCompiledLaw,
+/// by a copy of their table: who calls for few rows at a time keeps the converted one.
+/// @throws FilmRowError, ForceRowError and std::invalid_argument for arrays as above
+void film_force_ratios(const AnyCompiledLaw& law, const FilmStateArrays& states, const ForceArrays& ratios);
+/// @throws as above, and std::invalid_argument if the law was compiled for another L/D
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const FilmStateArrays& states, const ForceArrays& forces);
+/// The same of polar states: radial and tangential forces.
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const PolarStateArrays& states, const ForceArrays& forces);
+/// The same of motions: forces in their frame.
+void film_forces(const AnyCompiledLaw& law, const Bearing<double>& bearing, const Lubricant<double>& oil,
+                 const JournalMotionArrays& motions, const ForceArrays& forces);
 
 }  // namespace lubjoint
