@@ -1,4 +1,6 @@
 // `coefficients`, `stability`, `mobility` and `losses` with laws of finite length, against other routes to the numbers.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,7 @@
 
 #include "lubjoint/film/compiled_laws.hpp"
 #include "oracle/files/csv_table.hpp"
+#include "oracle/results/losses_table.hpp"
 #include "oracle/reynolds/cavitated_elements.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 #include "support/compiled_films.hpp"
@@ -211,8 +214,39 @@ TEST_CASE("losses with finite films: moments and power balance, Petroff's fricti
   }
   CHECK(losses("finite_dynamic", "film").status == 0);
   CHECK(losses("finite_half", "striated").status == 0);
-  const ProgramResult refused = losses("finite_reynolds", "film");
+  const ProgramResult refused = losses("finite_reynolds", "striated");
   CHECK(refused.status == 2);
-  CHECK_THAT(refused.err, Contains("finite_reynolds") && Contains("allowed is flooded"));
+  CHECK_THAT(refused.err, Contains("finite_reynolds") && Contains("allowed is film or flooded"));
   CHECK_THAT(losses("finite_full", "striated").err, Contains("striated"));
+}
+
+TEST_CASE("losses with finite_reynolds: without --shear the oil is sheared where the film carries pressure") {
+  const Vec e(1e-4, 2e-5);
+  for (const Vec& v : {Vec(1e-3, 2e-3), Vec(-2e-3, 1e-3), Vec(0, 0)}) {
+    const double spin = 51;
+    const std::string state =
+        fmt::format("ex,ey,vx,vy,omega_bearing,omega_journal\n1e-4,2e-5,{},{},1,52\n", v.x(), v.y());
+    const ProgramResult result =
+        lubjoint_program(command({"losses", "--law", "finite_reynolds", "--states", "-"}), {.input = state});
+    CHECK_THAT(result.err, Contains("shear: of where the film carries pressure, solved for at each state"));
+    const reports::CsvTable row = table_of(result);
+    const FilmState<double> film = film_state(JournalMotion<double>{e, v, 1, 52}, clearance);
+    const PolarView<double> view = polar_view(film);
+    const double ratio = view.state.eccentricity_ratio;
+    // By finite elements, which share no step with what the program solves by.
+    const oracle::ScaledCouette solved = oracle::cavitated_couette_by_elements(
+        {ratio, 1 - ratio, std::abs(view.state.slip_rate), view.state.squeeze_rate, length / (2 * radius)}, 64);
+    const double unit = viscosity * std::pow(radius, 3) * length / clearance * spin;
+    const double couette = (value(row, "torque_bearing") - value(row, "torque_journal")) / 2;
+    INFO("v " << v.transpose() << ", elements " << solved.error[0] / solved.value[0]);
+    CHECK(solved.error[0] < 5e-4 * solved.value[0]);  // else they would say nothing
+    CHECK(std::abs(couette / unit - solved.value[0]) <
+          reports::solved_couette_tolerance * solved.value[0] + solved.error[0]);
+    const Vec force(value(row, "fx"), value(row, "fy"));
+    const double lost = -(dot(force, v) + value(row, "torque_journal") * 52 + value(row, "torque_bearing") * 1);
+    CHECK(value(row, "power") == Approx(lost).epsilon(1e-12));  // rounding of the printed numbers
+    // Neither the whole gap nor the dynamic film.
+    CHECK(couette / unit < 0.95 * 2 * std::numbers::pi / std::sqrt(film.q));
+    CHECK(couette / unit > 1.05 * couette_integral(film, ShearedGap::dynamic));
+  }
 }

@@ -13,13 +13,21 @@ namespace lubjoint::cli {
 
 namespace {
 
-/// What a user should know of the side flow of a compiled law, one line.
-std::string solved_flow_words(const std::string& law) {
-  const double tolerance = with_film_law<NamedFilmLaws>(
-      law, []<class Law>() { return reports::solved_flow_tolerance(FreeBoundaryLaw<Law>); });
-  return fmt::format(
-      "side flow: not of the table, but solved for at each state, within {:g} of what the motion displaces, 2cRL|u|",
-      tolerance);
+/// What a user should know of the side flow and of the shear of a compiled law, a line each.
+std::string solved_words(const std::string& law, ShearExtent shear) {
+  return with_film_law<NamedFilmLaws>(law, [shear]<class Law>() {
+    std::string words = fmt::format(
+        "side flow: not of the table, but solved for at each state, within {:g} of what the motion displaces, "
+        "2cRL|u|\n",
+        reports::solved_flow_tolerance(FreeBoundaryLaw<Law>));
+    if (reports::has_solved_couette<Law>(shear)) {
+      words += fmt::format(
+          "shear: of where the film carries pressure, solved for at each state, within {:g} of the torque of the "
+          "shear\n",
+          reports::solved_couette_tolerance);
+    }
+    return words;
+  });
 }
 
 }  // namespace
@@ -46,7 +54,7 @@ void add_losses(CLI::App& app, Action& action) {
       require_name("--law", options->law, named_film_laws);
       require_name("--shear", options->shear, shear_extent_names);
       const ShearExtent shear = shear_extent(options->shear);
-      with_film_law<NamedFilmLaws>(options->law, [&]<class Law>() { return sheared_gap<Law>(shear); });  // refuses
+      with_film_law<NamedFilmLaws>(options->law, [&]<class Law>() { reports::require_solvable_shear<Law>(shear); });
       const Bearing<double> bearing = options->bearing();
       require_law_of_bearing(options->law, bearing);
       const Lubricant<double> oil = options->oil();
@@ -54,7 +62,7 @@ void add_losses(CLI::App& app, Action& action) {
       double farthest = 0;
       answer_stream("losses", options->states, [&](reports::CsvStream& states, const auto& write) {
         film = film_in_bearing(options->law, bearing, oil);  // once there are states: it may take a minute
-        if (film.table != nullptr) std::cerr << solved_flow_words(options->law) << '\n';
+        if (film.table != nullptr) std::cerr << solved_words(options->law, shear);
         constexpr std::array given = {"ex", "ey", "vx", "vy", "omega_bearing", "omega_journal"};
         answer_numbers(states, given, reports::loss_column_names, write, [&](const std::array<double, 6>& x) {
           farthest = std::max(farthest, std::hypot(x[0], x[1]) / bearing.clearance());

@@ -37,18 +37,21 @@ Vector2<Wide> force_on_journal(const Bearing<Wide>& bearing, const Lubricant<Wid
   }
 }
 
+FilmState<double> in_double(const FilmState<Wide>& film) {
+  const auto both = [](const Vector2<Wide>& v) {
+    return Vector2<double>(static_cast<double>(v.x()), static_cast<double>(v.y()));
+  };
+  return {both(film.eccentricity), both(film.velocity)};
+}
+
 /// Out of both sides [m³/s].
 template <class Law>
 std::optional<Wide> side_flow_of(const Bearing<Wide>& bearing, const FilmState<Wide>& film) {
   if constexpr (CompiledLaw<Law>) {
-    const auto in_double = [](const Vector2<Wide>& v) {
-      return Vector2<double>(static_cast<double>(v.x()), static_cast<double>(v.y()));
-    };
     const double tolerance = solved_flow_tolerance(FreeBoundaryLaw<Law>);
-    const oracle::FiniteFlow flow =
-        oracle::finite_side_flow(oracle::finite_film_of(Law::name), static_cast<double>(length_to_diameter(bearing)),
-                                 FilmState<double>(in_double(film.eccentricity), in_double(film.velocity)),
-                                 {tolerance, oracle::FilmOnset::free, oracle::SmoothFilmMethod::circumferential_modes});
+    const oracle::FiniteFlow flow = oracle::finite_side_flow(
+        oracle::finite_film_of(Law::name), static_cast<double>(length_to_diameter(bearing)), in_double(film),
+        {tolerance, oracle::FilmOnset::free, oracle::SmoothFilmMethod::circumferential_modes});
     if (!flow.tolerance_met) return std::nullopt;
     return Wide(flow.ratio) * bearing.clearance() * bearing.radius() * bearing.length();
   } else {
@@ -56,16 +59,28 @@ std::optional<Wide> side_flow_of(const Bearing<Wide>& bearing, const FilmState<W
   }
 }
 
+/// I₁ of what is sheared.
+template <class Law>
+std::optional<Wide> couette_integral_of(const Bearing<Wide>& bearing, const FilmState<Wide>& film, ShearExtent shear) {
+  if (!has_solved_couette<Law>(shear)) return couette_integral<Law>(film, shear);
+  const oracle::FiniteCouette couette = oracle::finite_couette_integral(
+      static_cast<double>(length_to_diameter(bearing)), in_double(film), solved_couette_tolerance);
+  if (!couette.tolerance_met) return std::nullopt;
+  return couette.integral;
+}
+
 template <class Law>
 LossRow loss_row(const Bearing<Wide>& bearing, const Lubricant<Wide>& oil, const JournalMotion<Wide>& motion,
                  ShearExtent shear, const CompiledFilm* table) {
   const FilmState<Wide> film = film_state(motion, bearing.clearance());
   const Wide relative_spin = motion.journal_spin - motion.bearing_spin;
-  const Wide rate = couette_scale(bearing, oil) * couette_integral<Law>(film, shear);
-  const FilmLosses<Wide> losses =
-      losses_of<Wide>(force_on_journal<Law>(bearing, oil, film, table), film, bearing.clearance(), rate, relative_spin);
-  LossRow row{losses.force.x(), losses.force.y(), {}, {}, {}, side_flow_of<Law>(bearing, film)};
+  const Vector2<Wide> force = force_on_journal<Law>(bearing, oil, film, table);
+  LossRow row{force.x(), force.y(), {}, {}, {}, side_flow_of<Law>(bearing, film)};
   if (shear == ShearExtent::striated && !is_steady(film)) return row;
+  const std::optional<Wide> integral = couette_integral_of<Law>(bearing, film, shear);
+  if (!integral) return row;
+  const Wide rate = couette_scale(bearing, oil) * *integral;
+  const FilmLosses<Wide> losses = losses_of<Wide>(force, film, bearing.clearance(), rate, relative_spin);
   row[2] = losses.torque_journal;
   row[3] = losses.torque_bearing;
   row[4] = losses.power();

@@ -118,23 +118,53 @@ class ElementGrid {
 
   /// ∫ −H³ ∂ζP dθ at the end.
   double edge_flow() const {
-    std::vector<double> leaves(static_cast<std::size_t>(around_), 0.0);
+    double sum = 0;
+    for (const EndNode& end : end_nodes()) sum += std::max(end.source - end.fed, 0.0);
+    return sum;
+  }
+
+  /// Share of ψ and ζ that carries pressure; nodes at the end count by half of their neighbours' area.
+  double carried_share() const {
+    const Vector fed = matrix_ * pressure_;
+    const auto share = [](double feeds, double source) {
+      return source >= 0 ? 1.0 : std::clamp(feeds / source, 0.0, 1.0);
+    };
+    double sum = 0;
     for (int i = 0; i < around_; ++i) {
-      const AroundElement& element = elements_[static_cast<std::size_t>(i)];
-      for (int a = 0; a < 2; ++a) {
-        double& out = leaves[static_cast<std::size_t>((i + a) % around_)];
-        out += element.source[a] * rise_ / 2;
-        for (int b = 0; b < 2; ++b) out -= element.entry(a, b, false, rise_) * pressure_[node(i + b, along_ - 1)];
+      for (int j = 0; j < along_; ++j) {
+        const Eigen::Index n = node(i, j);
+        sum += (j == 0 ? 0.5 : 1.0) * (pressure_[n] > 0 ? 1.0 : share(fed[n], source_[n]));
       }
     }
-    double sum = 0;
-    for (const double out : leaves) sum += std::max(out, 0.0);
-    return sum;
+    const std::vector<EndNode> ends = end_nodes();
+    for (const EndNode& end : ends) sum += 0.5 * share(end.fed, end.source);
+    return sum / (around_ * along_);
   }
 
   int unknowns() const { return static_cast<int>(source_.size()); }
 
  private:
+  /// A node at the end of the bearing, where P = 0 is given: its source, and the equation's other side.
+  struct EndNode {
+    double source = 0;
+    double fed = 0;
+  };
+
+  std::vector<EndNode> end_nodes() const {
+    std::vector<EndNode> ends(static_cast<std::size_t>(around_));
+    for (int i = 0; i < around_; ++i) {
+      const AroundElement& element = elements_[static_cast<std::size_t>(i)];
+      for (int a = 0; a < 2; ++a) {
+        EndNode& end = ends[static_cast<std::size_t>((i + a) % around_)];
+        end.source += element.source[a] * rise_ / 2;
+        for (int b = 0; b < 2; ++b) {
+          end.fed += element.entry(a, b, false, rise_) * pressure_[node(i + b, along_ - 1)];
+        }
+      }
+    }
+    return ends;
+  }
+
   /// Number of a node; −1 at the end of the bearing, where P = 0.
   Eigen::Index node(int i, int j) const {
     if (j == along_) return -1;
@@ -211,6 +241,13 @@ ScaledForce cavitated_force_by_elements(const ScaledFilm& film, int around) {
 
 ScaledFlow cavitated_flow_by_elements(const ScaledFilm& film, int around) {
   return extrapolated<1>(film, around, 1, [](const ElementGrid& grid) { return ScaledFlow::Values(grid.edge_flow()); });
+}
+
+ScaledCouette cavitated_couette_by_elements(const ScaledFilm& film, int around) {
+  const double whole = 2 * std::numbers::pi / std::sqrt(film.thinnest * (1 + film.epsilon));
+  return extrapolated<1>(film, around, 1, [whole](const ElementGrid& grid) {
+    return ScaledCouette::Values(whole * grid.carried_share());
+  });
 }
 
 }  // namespace lubjoint::oracle

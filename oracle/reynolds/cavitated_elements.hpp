@@ -27,4 +27,10 @@ ScaledForce cavitated_force_by_elements(const ScaledFilm& film, int around = 64)
 /// @param around  as above
 ScaledFlow cavitated_flow_by_elements(const ScaledFilm& film, int around = 64);
 
+/// Its ∬ dθ dζ/(2ΛH) over the part that carries pressure: as dθ/H = dψ/√q, that part's share of ψ and ζ times 2π/√q. A
+/// node along its bounds counts by the share of its source that the pressure beside it feeds. Extrapolated likewise,
+/// with an error estimate as of the flow.
+/// @param around  as above
+ScaledCouette cavitated_couette_by_elements(const ScaledFilm& film, int around = 64);
+
 }  // namespace lubjoint::oracle

@@ -133,6 +133,11 @@ ScaledFlow cavitated_film_flow(const ScaledFilm& film, bool pinned, double relat
                     [](const CavitatedGrid& grid) { return ScaledFlow::Values(grid.edge_flow()); });
 }
 
+ScaledCouette cavitated_film_couette(const ScaledFilm& film, double relative_tolerance) {
+  return refined<1>(film, false, relative_tolerance, 0,
+                    [](const CavitatedGrid& grid) { return ScaledCouette::Values(grid.couette_integral()); });
+}
+
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
                                             const std::vector<double>& zeta) {
   const int least_along = 32;

@@ -22,6 +22,11 @@ ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double rel
 /// Its side flow, from the balance of the half volumes along the edge, extrapolated likewise.
 ScaledFlow cavitated_film_flow(const ScaledFilm& film, bool pinned, double relative_tolerance);
 
+/// I₁ = ∬ dθ dζ/(2ΛH) over the part of the gap that carries pressure, onset free: what is sheared of the film.
+/// Extrapolated likewise; a share of a volume at its bounds is as exact as the pressure there, so it is of second
+/// order.
+ScaledCouette cavitated_film_couette(const ScaledFilm& film, double relative_tolerance);
+
 /// P at the product of the given angles (θ, from the maximum film) and ζ; row-major, one row per angle. From one grid
 /// that is at least as fine as the one asked for, by linear interpolation: second order.
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,

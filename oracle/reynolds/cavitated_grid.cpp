@@ -54,6 +54,7 @@ void CavitatedGrid::place_nodes_around(const ScaledFilm& film) {
     x_.push_back(place(y));
     width_.push_back(slope(y) * step);
     volume_.push_back(h * h * h * width_.back());
+    sheared_.push_back(width_.back() / h);
     link_.push_back(h_face * h_face * h_face / (slope(face) * step));
     source_.push_back(film.source(x_.back()) * width_.back());
   }
@@ -134,10 +135,9 @@ void CavitatedGrid::solve_on_wet_nodes() {
   for (std::size_t n = 0; n < pressure_.size(); ++n) pressure_[n] = number_[n] >= 0 ? solution_[number_[n]] : 0.0;
 }
 
-double CavitatedGrid::excess(int i, int j) const {
-  // At a dry node P = 0: what flows in from its neighbours, and what the motion drives in.
-  double inflow = load(i, j);
-  inflow += around_link(i, j) * pressure_[node(next(i), j)];
+double CavitatedGrid::inflow(int i, int j) const {
+  // At a dry node P = 0: what flows in from its neighbours.
+  double inflow = around_link(i, j) * pressure_[node(next(i), j)];
   inflow += around_link(previous(i), j) * pressure_[node(previous(i), j)];
   if (j + 1 < along_) inflow += axial_link(i, j) * pressure_[node(i, j + 1)];
   if (j > 0) inflow += axial_link(i, j - 1) * pressure_[node(i, j - 1)];
@@ -186,6 +186,23 @@ double CavitatedGrid::edge_flow() const {
     sum += std::max(inflow + source_[index(i)] * edge_depth_, 0.0);
   }
   return sum;
+}
+
+double CavitatedGrid::couette_integral() const {
+  const auto part = [](double flows_in, double driven_in) {
+    return driven_in >= 0 ? 1.0 : std::clamp(-flows_in / driven_in, 0.0, 1.0);
+  };
+  double sum = 0;
+  for (int i = 0; i < around_; ++i) {
+    double line = 0;
+    for (int j = 0; j < along_; ++j) {
+      line += depth_[index(j)] * (wet_[node(i, j)] ? 1.0 : part(inflow(i, j), load(i, j)));
+    }
+    const double at_edge = axial_link(i, along_ - 1) * pressure_[node(i, along_ - 1)];
+    line += edge_depth_ * part(at_edge, source_[index(i)] * edge_depth_);
+    sum += line * sheared_[index(i)];
+  }
+  return sum / zeta_.back();
 }
 
 double CavitatedGrid::pressure(double theta, double zeta) const {

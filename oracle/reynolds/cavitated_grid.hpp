@@ -32,6 +32,9 @@ class CavitatedGrid {
   /// nodes, and what the motion drives out of them. So it is of second order, and with P ≥ 0 no oil comes in by the
   /// edge: volumes that would draw it in are of a film that has ruptured.
   double edge_flow() const;
+  /// ∬ dθ dζ/H over the part of |ζ| ≤ Λ that carries pressure, over 2Λ. The film ends inside of the volumes along its
+  /// bounds: each holds as large a part of it as what flows in is of what the whole volume would draw in.
+  double couette_integral() const;
   int unknowns() const { return matrix_.size(); }
   int along() const { return along_; }
   /// P at an angle θ from the maximum film and at ζ, |ζ| ≤ Λ, by linear interpolation.
@@ -56,13 +59,15 @@ class CavitatedGrid {
   void place_nodes_along(double slenderness);
   int driest_column() const;
   void solve_on_wet_nodes();
-  double excess(int i, int j) const;
+  double inflow(int i, int j) const;
+  double excess(int i, int j) const { return load(i, j) + inflow(i, j); }
   bool update_wet_nodes();
 
   int around_;
   int along_;
   bool pinned_;
   std::vector<double> x_, width_, volume_, link_, source_;  // around: x, dx, H³dx, H³/dx at faces, s dx
+  std::vector<double> sheared_;                             // dx/H
   std::vector<double> zeta_, depth_, axial_link_;           // along: ζ, dζ, 1/dζ at faces
   double smallest_load_ = 0;
   double edge_depth_ = 0;  ///< of the half volumes at the edge

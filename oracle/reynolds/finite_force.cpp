@@ -55,4 +55,12 @@ FiniteFlow finite_side_flow(FiniteFilm film, double length_to_diameter, const Fi
   return flow;
 }
 
+FiniteCouette finite_couette_integral(double length_to_diameter, const FilmState<double>& state,
+                                      double relative_tolerance) {
+  require_shape(length_to_diameter);
+  const FiniteLengthCouette solved = finite_reynolds_couette(Bearing<double>(2 * length_to_diameter, 1, 0.5),
+                                                             polar_view(state).state, relative_tolerance);
+  return {solved.integral, solved.error, solved.tolerance_met};
+}
+
 }  // namespace lubjoint::oracle

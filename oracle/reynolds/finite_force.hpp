@@ -37,4 +37,18 @@ struct FiniteFlow {
 FiniteFlow finite_side_flow(FiniteFilm film, double length_to_diameter, const FilmState<double>& state,
                             const FiniteLengthOptions& options = {});
 
+/// I₁ of what is sheared, with a bound of its error.
+struct FiniteCouette {
+  double integral = 0;        ///< [-]
+  double error = 0;           ///< [-]
+  bool tolerance_met = true;  ///< the bound is within the tolerance asked for
+};
+
+/// I₁ = (1/L) ∬_{p>0} dθ dz/H of finite_reynolds with a free onset, at a state of the film: finite_reynolds_couette
+/// without the bearing's other dimensions.
+/// @param relative_tolerance  of I₁
+/// @throws std::invalid_argument as finite_force
+FiniteCouette finite_couette_integral(double length_to_diameter, const FilmState<double>& state,
+                                      double relative_tolerance = 1e-3);
+
 }  // namespace lubjoint::oracle

@@ -147,6 +147,26 @@ FiniteLengthFlow finite_length_flow(FiniteFilm film, const Bearing<double>& bear
   return result;
 }
 
+FiniteLengthCouette finite_reynolds_couette(const Bearing<double>& bearing, const PolarFilmState<double>& state,
+                                            double relative_tolerance) {
+  require_between("relative_tolerance", relative_tolerance, 1e-12, 0.1);
+  const Scaled scaled = without_dimensions(bearing, state);
+  FiniteLengthCouette result;
+  result.observed_order = std::numeric_limits<double>::quiet_NaN();
+  result.tolerance_met = true;
+  if (scaled.rate == 0) {
+    result.integral = std::numbers::pi / std::sqrt(state.q);
+    return result;
+  }
+  const ScaledCouette couette = cavitated_film_couette(scaled.film, relative_tolerance);
+  result.integral = couette.value[0];
+  result.error = couette.error[0];
+  if (std::isfinite(couette.observed_order)) result.observed_order = couette.observed_order;
+  result.unknowns = couette.unknowns;
+  result.tolerance_met = result.error <= relative_tolerance * result.integral;
+  return result;
+}
+
 PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
                                      const PolarFilmState<double>& state, int angles, int stations, FilmOnset onset) {
   require_between("angles", angles, 3, 10000);

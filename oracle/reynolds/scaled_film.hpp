@@ -48,4 +48,7 @@ using ScaledForce = ScaledResult<2>;
 /// as the net flow may vanish.
 using ScaledFlow = ScaledResult<1>;
 
+/// ∬ dθ dζ/H over the part of |ζ| ≤ Λ that carries pressure, over 2Λ.
+using ScaledCouette = ScaledResult<1>;
+
 }  // namespace lubjoint::oracle
