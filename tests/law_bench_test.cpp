@@ -3,12 +3,47 @@
 #include <set>
 
 #include "lubjoint/film/every_law.hpp"
+#include "support/compiled_films.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
+
+namespace {
+
+/// Every law that is a table, and the one that it is compared with, has its times; the tables have the errors they
+/// state.
+void check_compiled_laws(const std::vector<CsvRow>& rows) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const CsvRow& row : rows) {
+    const std::string& law = row.at("law");
+    const std::string& method = row.at("method");
+    INFO(law << " " << method);
+    CHECK(seen.emplace(law, method).second);
+    CHECK(std::stod(row.at("nanoseconds")) > (method == "simulate" ? 1e4 : 1));  // a run is many evaluations
+    if (method == "scalar") CHECK(row.at("over_scalar") == "1");
+    if (law == "pinkus_sternlicht") CHECK(row.at("over_pinkus_sternlicht") == "1");
+    CHECK(row.at("over_scalar").empty() == (method == "simulate"));
+    CHECK(std::stod(row.at("over_pinkus_sternlicht")) > 0);
+    const bool is_table = law.starts_with("finite_");
+    if (!is_table || method == "jacobian" || method == "simulate") {
+      CHECK(row.at("states") == "0");
+      CHECK(row.at("largest_error").empty());
+      continue;
+    }
+    CHECK(row.at("states") == "18");  // the golden ones of this L/D
+    const double stated = shipped_film(law, shipped_scenes_shape)->error;
+    CHECK(std::stod(row.at("largest_error")) <= stated);
+    CHECK(std::stod(row.at("median_error")) > 0x1p-52);  // it is an error of the law's own, and no rounding
+  }
+  for (const char* law : {"pinkus_sternlicht", "finite_full", "finite_half", "finite_dynamic", "finite_reynolds"}) {
+    for (const char* method : {"scalar", "jacobian", "batch", "simulate"}) CHECK(seen.contains({law, method}));
+  }
+}
+
+}  // namespace
 
 TEST_CASE("bench laws: every law has all its methods, with the errors of their precision and times above zero") {
   const TemporaryFolder folder;
@@ -54,7 +89,9 @@ TEST_CASE("bench laws: every law has all its methods, with the errors of their p
   }
   const std::vector<CsvRow> batches = read_csv(folder / "out/bench-batch.csv");
   CHECK(batches.size() == 4);
-  CHECK(folder.entries() == std::set<std::string>{"out", "out/bench-batch.csv", "out/bench-laws.csv"});
+  check_compiled_laws(read_csv(folder / "out/bench-compiled-laws.csv"));
+  CHECK(folder.entries() ==
+        std::set<std::string>{"out", "out/bench-batch.csv", "out/bench-compiled-laws.csv", "out/bench-laws.csv"});
 }
 
 TEST_CASE("bench quadrature, finite-length: every rule on every film, and no error is larger than its estimate") {

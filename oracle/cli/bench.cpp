@@ -13,6 +13,7 @@
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/measure/bench/bench_manifest.hpp"
 #include "oracle/measure/bench/bench_tables.hpp"
+#include "oracle/measure/bench/compiled_law_bench.hpp"
 #include "oracle/measure/bench/law_bench.hpp"
 #include "oracle/measure/bench/scene_bench.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
@@ -52,11 +53,32 @@ struct BenchTable {
   void (*run)(const BenchOptions&);
 };
 
+/// The tables of the paper's bearing, and its slider-crank with each of them.
+void bench_compiled_laws(const BenchOptions& options) {
+  const Scene published = load_scene(std::filesystem::path(scenes_folder()) / "slider-crank.toml");
+  const SceneJoint& joint = published.joints.front();
+  const double shape = joint.length / (2 * joint.journal_radius);
+  std::vector<CompiledFilm> films;
+  std::vector<Scene> runs{published};
+  for (const std::string_view law : names_of_laws<CompiledLaws>) {
+    films.push_back(film_for_user(std::string(law), shape));
+    Scene scene = published;
+    scene.joints.front().film = law;
+    scene.joints.front().table = std::make_shared<const CompiledFilm>(films.back());
+    runs.push_back(std::move(scene));
+  }
+  const auto rows = reports::time_compiled_laws(
+      films, std::filesystem::path(golden_folder()) / "finite_length" / "finite_film_force.csv", runs, options.quick);
+  std::cout << '\n' << reports::compiled_law_table(rows, shape);
+  options.save("bench-compiled-laws.csv", reports::compiled_law_csv(rows));
+}
+
 void bench_laws(const BenchOptions& options) {
   const auto bench = reports::time_laws(std::filesystem::path(golden_folder()) / "film_force.csv", options.quick);
   std::cout << reports::law_bench_table(bench);
   options.save("bench-laws.csv", reports::law_bench_csv(bench));
   options.save("bench-batch.csv", reports::batch_csv(bench));
+  bench_compiled_laws(options);
 }
 
 void bench_quadrature(const BenchOptions& options) {
@@ -127,7 +149,8 @@ void bench_scenes(const BenchOptions& options) {
 }
 
 constexpr std::array bench_tables = {
-    BenchTable{"laws", "force laws: scalar, batch, long double, quadrature, finite length", bench_laws},
+    BenchTable{"laws", "force laws: scalar, batch, long double, quadrature, finite length; those that are tables",
+               bench_laws},
     BenchTable{"quadrature", "quadrature rules on the one-dimensional films", bench_quadrature},
     BenchTable{"finite-length", "films of finite length by tolerance", bench_finite_length},
     BenchTable{"scenes", "scenes by formulation, integrator and tolerance (those of --scene, or those that ship)",

@@ -4,15 +4,14 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <random>
 
-#include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/every_law.hpp"
 #include "lubjoint/film/mobility.hpp"
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/measure/bench/divide_bound.hpp"
+#include "oracle/measure/bench/random_states.hpp"
 #include "oracle/measure/timing.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 #include "oracle/reynolds/finite_length.hpp"
@@ -105,31 +104,6 @@ oracle::FiniteFilm finite_film(FilmExtent extent) {
   return extent == FilmExtent::half ? oracle::FiniteFilm::finite_half : oracle::FiniteFilm::finite_dynamic;
 }
 
-/// Columns of numbers that go into batches, and room for what comes out.
-struct RandomStates {
-  std::vector<double> epsilon, ex, ey, ux, uy, first, second;
-
-  explicit RandomStates(std::size_t rows) : first(rows), second(rows) {
-    std::mt19937_64 generator(20090331);
-    const auto unit = [&] { return static_cast<double>(generator() >> 11) * 0x1p-53; };
-    for (std::size_t i = 0; i < rows; ++i) {
-      epsilon.push_back(0.97 * unit());
-      const double attitude = 6.283185307179586 * unit();
-      const double course = 6.283185307179586 * unit();
-      ex.push_back(epsilon.back() * std::cos(attitude));
-      ey.push_back(epsilon.back() * std::sin(attitude));
-      ux.push_back(std::cos(course));
-      uy.push_back(std::sin(course));
-    }
-  }
-
-  std::size_t rows() const { return ex.size(); }
-  ForceArrays out() { return {first, second}; }
-};
-
-constexpr std::size_t timed_rows = 512;  // inputs and outputs lie in the first cache
-constexpr int timed_calls = 8;           // in a row, so that they do
-
 const Bearing<double> unit_bearing(1, 1, 0.5);
 const Lubricant<double> unit_oil(1);
 
@@ -153,8 +127,8 @@ struct Repeats {
 
 /// Medians of one evaluation: the bound, then of each law scalar, batch and long double. All of them take turns.
 std::vector<double> time_closed_forms(int repeats) {
-  RandomStates s(timed_rows);
-  RandomStates positive(timed_rows);
+  RandomStates s(timed_rows, 0.97);
+  RandomStates positive(timed_rows, 0.97);
   for (std::vector<double>* column : {&positive.epsilon, &positive.ex, &positive.ey, &positive.ux}) {
     for (double& x : *column) x = 1 + std::abs(x);
   }
@@ -261,7 +235,7 @@ void time_pressures(LawBench& bench, const std::vector<GoldenForce>& golden, con
 template <FilmLaw Law>
 void time_mobility(LawBench& bench, const Repeats& repeats) {
   if constexpr (Law::extent != FilmExtent::half && !SqueezeOnlyLaw<Law>) {
-    RandomStates s(timed_rows);
+    RandomStates s(timed_rows, 0.97);
     std::vector<Vector2<double>> forces;
     std::vector<double> errors;
     for (std::size_t i = 0; i < s.rows(); ++i) {
@@ -287,7 +261,7 @@ void time_mobility(LawBench& bench, const Repeats& repeats) {
 }
 
 BatchTiming time_batches(std::size_t rows, int repeats) {
-  RandomStates s(rows);
+  RandomStates s(rows, 0.97);
   const std::vector<double> still(rows, 0.0);
   const std::vector<double> spin(rows, 1.0);
   constexpr std::string_view law = "pinkus_sternlicht";
