@@ -14,7 +14,11 @@ namespace lubjoint::oracle {
 namespace {
 
 /// Steps from the middle to the edge of successive grids, about a fifth more each time.
-constexpr std::array<int, 17> steps_along{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64};
+constexpr std::array<int, 19> steps_along{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96};
+/// The grids after these take a second each. They are for those who ask for least_tolerance or less, and no finer than
+/// to reach it.
+constexpr std::size_t usual_grids = 17;
+constexpr double least_tolerance = 1e-5;
 /// Nodes around for each step along: P is nearly a parabola in ζ, and r falls with the step around.
 constexpr int around_per_along = 16;
 constexpr std::size_t fitted = 6;         ///< grids in a fit: the coarsest is about twice as coarse as the finest
@@ -117,7 +121,11 @@ ScaledResult<N> refined(const ScaledFilm& film, bool pinned, double relative_tol
     result.error = estimate.cwiseMax(refinement * refinement * last_estimate);
     last_estimate = estimate;
     if (last + 1 == fitted) continue;
-    if (result.error.norm() <= relative_tolerance * std::max(result.value.norm(), least_size)) break;
+    const auto is_within = [&](double tolerance) {
+      return result.error.norm() <= tolerance * std::max(result.value.norm(), least_size);
+    };
+    if (is_within(relative_tolerance)) break;
+    if (last + 1 >= usual_grids && (relative_tolerance > least_tolerance || is_within(least_tolerance))) break;
   }
   return result;
 }
