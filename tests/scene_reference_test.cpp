@@ -53,7 +53,7 @@ Keys asked_for(const std::string& file, const std::vector<std::string>& function
     for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
       keys.insert((*it)[1]);
     }
-    const std::regex body_name(R"((?:read_body_name|read_point)\(\w+, "(\w+)\")");
+    const std::regex body_name(R"((?:read_body_name|read_point|read_angle)\(\w+, "(\w+)\")");
     for (auto it = std::sregex_iterator(text.begin(), text.end(), body_name); it != std::sregex_iterator(); ++it) {
       keys.insert((*it)[1]);
     }
@@ -75,18 +75,23 @@ TEST_CASE("scene reference: its tables have the keys that the reader asks for, a
         both(asked_for(file, {"read_scene", "read_duration"}), asked_for(parts, {"read_coordinates"})));
   CHECK(documented("`[[bodies]]`") == asked_for(file, {"read_body"}));
   const std::string forces = "lib/src/scene_forces.cpp";
-  CHECK(documented("`[[loads]]`") == both(asked_for(forces, {"read_load", "read_harmonic", "read_unbalance"}),
-                                          both(asked_for("lib/src/scene_tables.cpp", {"read_load_table"}), {"table"})));
+  const std::string tables = "lib/src/scene_tables.cpp";
+  const std::string terms = "lib/src/scene_forces.hpp";
+  CHECK(documented("`[[loads]]`") ==
+        both(asked_for(forces, {"read_load", "read_harmonic", "read_oscillation", "read_unbalance"}),
+             both(asked_for(tables, {"read_load_curves"}), {"table"})));
   CHECK(documented("`[[springs]]`") ==
-        asked_for(forces, {"read_spring", "read_rotational", "read_translational_spring"}));
+        both(asked_for(forces, {"read_spring", "read_rotational", "read_translational_spring"}),
+             asked_for(terms, {"read_rotational_terms", "read_translational_terms"})));
   CHECK(documented("`[[sensors]]`") == asked_for(forces, {"read_sensor"}));
   CHECK(documented("`[[joints]]`") == both(asked_for(file, {"read_joint", "read_joint_film", "read_shear"}),
                                            asked_for(parts, {"read_contact", "read_contact_table", "read_anchor"})));
   // A driver's constant term is called by what it is of.
-  CHECK(
-      documented("`[[constraints]]`") ==
-      both(asked_for(parts, {"read_constraint", "read_ground", "read_translational", "read_sides"}),
-           asked_for("lib/src/scene_drivers.cpp", {"read_driver", "read_slide_driver", "read_motion", "read_swing"})));
+  CHECK(documented("`[[constraints]]`") ==
+        both(asked_for(parts, {"read_constraint", "read_ground", "read_translational", "read_sides"}),
+             both(asked_for("lib/src/scene_drivers.cpp",
+                            {"read_driver", "read_slide_driver", "read_motion", "read_swing"}),
+                  asked_for(forces, {"read_oscillation"}))));
   CHECK(documented("`[stabilisation]`") == asked_for(parts, {"read_stabilisation"}));
   CHECK(documented("`[integrator]`") == asked_for(file, {"read_integrator"}));
   CHECK(documented("`[output]`") == asked_for(file, {"read_output"}));
@@ -101,14 +106,23 @@ TEST_CASE("scene reference: its tables of scenes in space have the keys that the
   CHECK(documented("In space: `[[bodies]]`") ==
         both(asked_for(file, {"read_spatial_body", "read_inertia"}), asked_for(parts, {"read_orientation"})));
   CHECK(documented("In space: `[[loads]]`") ==
-        both(asked_for(file, {"read_spatial_load"}), asked_for("lib/src/scene_forces.cpp", {"read_harmonic"})));
-  CHECK(documented("In space: `[[springs]]`") == asked_for(file, {"read_spatial_spring"}));
-  CHECK(documented("In space: `[[sensors]]`") == asked_for(file, {"read_spatial_sensor"}));
+        both(both(asked_for(file, {"read_spatial_load", "read_spatial_unbalance"}),
+                  asked_for(parts, {"read_body_point"})),
+             both(asked_for("lib/src/scene_forces.cpp", {"read_harmonic", "read_oscillation"}),
+                  both(asked_for("lib/src/scene_tables.cpp", {"read_load_curves"}), {"table"}))));
+  CHECK(documented("In space: `[[springs]]`") ==
+        both(asked_for(file, {"read_spatial_spring", "read_about", "read_between_points"}),
+             asked_for("lib/src/scene_forces.hpp", {"read_rotational_terms", "read_translational_terms"})));
+  CHECK(documented("In space: `[[sensors]]`") ==
+        both(asked_for(file, {"read_spatial_sensor"}), asked_for(parts, {"read_body_point"})));
   CHECK(documented("In space: `[[joints]]`") ==
-        both(asked_for(file, {"read_spatial_joint"}), asked_for(parts, {"read_side"})));
+        both(asked_for(file, {"read_spatial_joint"}), asked_for(parts, {"read_side", "read_body_point"})));
   CHECK(documented("In space: `[[constraints]]`") ==
-        asked_for(parts, {"read_spatial_constraint", "read_sides", "read_ground_joint", "read_distance",
-                          "read_spatial_driver"}));
+        both(both(asked_for(parts, {"read_spatial_constraint", "read_sides", "read_ground_joint", "read_distance",
+                                    "read_spatial_driver"}),
+                  {"angle", "displacement"}),  // what read_motion calls its constant term
+             both(asked_for("lib/src/scene_drivers.cpp", {"read_motion", "read_swing"}),
+                  asked_for("lib/src/scene_forces.cpp", {"read_oscillation"}))));
 }
 
 TEST_CASE("scene reference: laws, integrators and defaults are those of the reader") {

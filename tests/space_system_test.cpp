@@ -73,11 +73,26 @@ SpatialScene free_pair(unsigned seed) {
   return scene;
 }
 
+/// Six cubics that are all different, over three turns.
+std::shared_ptr<const TableCurves<6>> some_curves() {
+  using Cubic = TableCurves<6>::Cubic;
+  std::vector<std::array<Cubic, 6>> pieces(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double x = 0.3 * static_cast<double>(k + 1) + static_cast<double>(i);
+      pieces[i][k] = {x, std::sin(3 * x), std::cos(5 * x), 0.1 * std::sin(7 * x)};
+    }
+  }
+  return std::make_shared<const TableCurves<6>>(std::vector<double>{-7, -1, 3, 11.8}, pieces, true);
+}
+
 /// A mechanism with most kinds of constraint, at a random state that fulfils none: its equations hold anywhere.
 SpatialScene every_constraint(unsigned seed) {
   SpatialScene scene = free_pair(seed);
   std::mt19937 random(seed + 100);
   scene.bodies.push_back(some_body("third", random));
+  scene.bodies.push_back(some_body("fourth", random));
+  const auto swing = std::make_shared<const MotionShape<double>>(MotionShape<double>{0.2, 6, 0.4});
   const BodyAxes<double> a = axes(0, {0.05, 0.02, 0.03}, {1, 2, 3});
   const BodyAxes<double> b = axes(2, {0.01, -0.02, 0.03}, {0.3, 2, -1});
   const BodyAxes<double> c = axes(ground_body, {0.1, 0.2, 0.3}, {1, 0.2, 0.5});
@@ -85,9 +100,12 @@ SpatialScene every_constraint(unsigned seed) {
                        {"cross", UniversalJoint<double>{{a, b}}},
                        {"rod", DistanceJoint<double>{{{1, {0.05, 0.02, 0.03}}, {2, {-0.03, 0.01, 0.02}}}, 0.3}},
                        {"sleeve", CylindricalJoint<double>{{axes(1, {0.01, 0, 0}, {0, 1, 1}), b}}},
-                       {"motor", RotationalDriver<double>{{c, a}, {0.3, 2, 5}}},
-                       {"ram", TranslationalDriver<double>{{axes(1, {0.01, 0, 0}, {0, 1, 1}), b}, {0.1, 1, 2}}}};
-  scene.springs = {{"spring", {0, {0.01, 0, 0}}, {2, {0, 0.02, 0}}, 100, 2, 0.1, 3}};
+                       {"motor", RotationalDriver<double>{{c, a}, {0.3, 2, 5, swing}}},
+                       {"held", HeldSpin<double>{{c, axes(3, {0, 0, 0}, {0.4, -1, 0.2})}, {0.1, 3, 0}}},
+                       {"ram", TranslationalDriver<double>{{axes(1, {0.01, 0, 0}, {0, 1, 1}), b}, {0.1, 1, 2, swing}}}};
+  scene.angles = {{c, a, 0}, {axes(1, {0.01, 0, 0}, {0, 1, 1}), b, 7}};
+  scene.springs = {{"spring", SpatialTranslationalSpring<double>{{0, {0.01, 0, 0}}, {2, {0, 0.02, 0}}, 100, 2, 0.1, 3}},
+                   {"torsion", SpatialRotationalSpring<double>{1, 1, 2, 5, 0.2, 0.3}}};
   SpatialSceneLoad load;
   load.body = 2;
   load.force = {1, 2, 3};
@@ -96,6 +114,16 @@ SpatialScene every_constraint(unsigned seed) {
   load.turns_with_body = true;
   load.harmonic = SceneHarmonic{10, 0.3};
   scene.loads = {load};
+  load.harmonic.reset();
+  load.table = SpatialSceneTable{some_curves(), true, 0};
+  scene.loads.push_back(load);
+  load.turns_with_body = false;
+  load.table->of_angle = false;
+  scene.loads.push_back(load);
+  SpatialSceneLoad unbalance;
+  unbalance.body = 3;
+  unbalance.unbalance = V3(0.01, 0.02, -0.03);
+  scene.loads.push_back(unbalance);
   scene.gravity = {0, 1, -9.81};
   return scene;
 }
@@ -158,10 +186,16 @@ SpatialScene moved(SpatialScene scene, const Plane& by) {
         },
         each.constraint);
   }
-  for (SpatialSpring<double>& spring : scene.springs) {
-    for (SpatialBodyPoint<double>* at : {&spring.first, &spring.second}) {
+  for (NamedSpatialSpring<double>& each : scene.springs) {
+    auto* spring = std::get_if<SpatialTranslationalSpring<double>>(&each.spring);
+    if (spring == nullptr) continue;
+    for (SpatialBodyPoint<double>* at : {&spring->first, &spring->second}) {
       if (at->on_ground()) placed(at->point);
     }
+  }
+  for (CountedAngle<double>& angle : scene.angles) {
+    moved_axes(angle.first);
+    moved_axes(angle.second);
   }
   return scene;
 }
@@ -400,7 +434,8 @@ TEST_CASE("space: the order of bodies, constraints and joints is irrelevant") {
         },
         each.constraint);
   }
-  for (auto& spring : other.springs) {
+  for (auto& each : other.springs) {
+    auto& spring = std::get<SpatialTranslationalSpring<double>>(each.spring);
     renumber(spring.first.body);
     renumber(spring.second.body);
   }

@@ -1,6 +1,7 @@
 #include "array_rows.hpp"
 #include "film_at_rest.hpp"
 #include "lubjoint/film/steady_place.hpp"
+#include "lubjoint/text/message.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::c;
@@ -11,8 +12,7 @@ namespace {
 /// @param force_ratio  F/S of a steady film
 template <class Force>
 SteadyPlace<double> place_of(const Force& force_ratio, double scale, double load, double omega) {
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   if (!(load > 0) || !std::isfinite(load)) {
     message << "no steady state under a load of " << load << " N; allowed are finite loads above 0";
   } else if (!std::isfinite(omega) || omega == 0) {

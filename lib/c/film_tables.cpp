@@ -5,11 +5,11 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "array_rows.hpp"
 #include "lubjoint/film/compiled_film_file.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint::c {
 
@@ -63,8 +63,7 @@ std::shared_ptr<const FilmTable> table_of(std::string_view law, const Bearing<do
       if (is_for(*table, law, shape)) return table;
     }
   }
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << "the law " << law << " is a table, and none was given for length over diameter " << shape
           << "; required is lubjoint_load_film with a file of `lubjoint compile-film`";
   throw NoTableError(message.str());

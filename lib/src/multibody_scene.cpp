@@ -9,12 +9,13 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "multibody_simulation.hpp"
 #include "overloaded.hpp"
-#include "scene_tables.hpp"
+#include "table_times.hpp"
 
 namespace lubjoint {
 
 template class MultibodyOde<double>;
 template const FilmFunctions<double>& film_functions<double>(std::string_view law);
+template PlanarSystem<double> planar_system(const Scene& scene);
 template StartCorrection<double> assemble_start(const PlanarSystem<double>& system, const double& t,
                                                 const double& length, std::vector<double>& y);
 
@@ -112,12 +113,8 @@ SceneUnits scene_units(const Scene& scene) {
     }
   }
   const auto at_least_of_driver = [&](const auto& driver, double unit) {  // of its motion: rad, or m
-    at_least(driver.speed / unit);
-    if (!driver.shape) return;
-    if (driver.shape->amplitude != 0) at_least(driver.shape->rate);
-    if (!driver.shape->table) return;
-    const TableCurves<1>& table = *driver.shape->table;
-    for (const double knot : table.knots()) at_least(table.with_derivatives(knot).slope[0] / unit);
+    for_each_rate(
+        driver.speed, driver.shape, [&](double rate) { at_least(rate / unit); }, at_least);
   };
   for (const SceneConstraint& each : scene.constraints) {
     std::visit(Overloaded{[&](const Driver<double>& driver) { at_least_of_driver(driver, 1); },
@@ -134,29 +131,6 @@ SceneUnits scene_units(const Scene& scene) {
 
 namespace {
 
-/// A table that is not periodic has nothing beyond its ends. The duration may be another than that of the file.
-template <std::size_t N>
-void require_cover(const Scene& scene, const std::string& what, const TableCurves<N>& curves, double delay) {
-  const double end = delay + scene.run.duration;
-  if (curves.is_periodic() || covers(curves.knots(), delay, end)) return;
-  std::ostringstream message;
-  message << scene.file << ": " << what << " has a table from " << curves.knots().front() << " s to "
-          << curves.knots().back() << " s, and the run needs it from " << delay << " s to " << end
-          << " s; allowed is a table that covers the run, or a shorter duration";
-  throw SceneError(message.str());
-}
-
-/// The passages of a periodic table's knots are listed before the run.
-/// @param way  of the table's variable in the run
-void require_few_passages(const Scene& scene, const std::string& what, const TableCurves<3>& curves, double way) {
-  const double count = passages(curves.knots(), way);
-  if (count <= static_cast<double>(most_rows)) return;
-  std::ostringstream message;
-  message << scene.file << ": " << what << " has a table whose rows the run passes " << count
-          << " times; allowed are at most " << most_rows << " rows in a run, or a shorter duration";
-  throw SceneError(message.str());
-}
-
 /// Refuses tables that the run leaves, or repeats too often.
 void require_tables(const Scene& scene) {
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
@@ -164,18 +138,17 @@ void require_tables(const Scene& scene) {
     if (!table) continue;
     const std::string what = "loads[" + std::to_string(l) + "]";
     if (!table->of_angle) {
-      require_cover(scene, what, *table->curves, table->delay);
-      if (table->curves->is_periodic()) require_few_passages(scene, what, *table->curves, scene.run.duration);
+      require_cover(scene.file, scene.run.duration, what, *table->curves, table->delay);
+      if (table->curves->is_periodic()) require_few_passages(scene.file, what, *table->curves, scene.run.duration);
     } else if (const std::optional<EvenTurn> turn = even_turn(scene, table->against)) {
-      require_few_passages(scene, what, *table->curves, std::abs(turn->speed) * scene.run.duration);
+      require_few_passages(scene.file, what, *table->curves, std::abs(turn->speed) * scene.run.duration);
     }
   }
   for (const SceneConstraint& each : scene.constraints) {
     std::visit(
         [&]<class Constraint>(const Constraint& constraint) {
           if constexpr (requires { constraint.shape; }) {
-            if (constraint.shape && constraint.shape->table)
-              require_cover(scene, "driver \"" + each.name + "\"", *constraint.shape->table, constraint.shape->delay);
+            require_cover(scene.file, scene.run.duration, each.name, constraint.shape);
           }
         },
         each.constraint);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lubjoint/motion/multibody_results.hpp"
+#include "table_times.hpp"
 
 namespace lubjoint {
 
@@ -21,20 +23,6 @@ bool is_free_journal(const Scene& scene) {
 }
 
 namespace {
-
-/// Knots of a table that is read at delay + t, t in (0, duration).
-template <std::size_t N>
-void add_knots(const TableCurves<N>& curves, double delay, double duration, std::vector<double>& times) {
-  const double length = curves.is_periodic() ? curves.length() : 0;
-  double turns = curves.periods(delay);
-  do {
-    for (const double knot : curves.knots()) {
-      const double t = knot + turns * length - delay;
-      if (t > 0 && t < duration) times.push_back(t);
-    }
-    turns += 1;
-  } while (length > 0 && curves.knots().front() + turns * length - delay < duration);
-}
 
 /// Times at which a body that turns evenly, in either sense, passes the knots of a table over its angle.
 void add_passages(const TableCurves<3>& curves, const EvenTurn& turn, double duration, std::vector<double>& times) {
@@ -85,17 +73,12 @@ std::vector<double> scene_knots(const Scene& scene) {
     std::visit(
         [&]<class Constraint>(const Constraint& constraint) {
           if constexpr (requires { constraint.shape; }) {
-            if (constraint.shape && constraint.shape->table)
-              add_knots(*constraint.shape->table, constraint.shape->delay, scene.run.duration, times);
+            add_knots(constraint.shape, scene.run.duration, times);
           }
         },
         each.constraint);
   }
-  std::sort(times.begin(), times.end());
-  // Neighbours that rounding alone tells apart are one.
-  const auto same = [](double a, double b) { return b - a <= 1e-14 * b; };
-  times.erase(std::unique(times.begin(), times.end(), same), times.end());
-  return times;
+  return in_order(std::move(times));
 }
 
 std::size_t ledger_works(const Scene& scene) {

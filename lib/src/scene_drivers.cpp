@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "lubjoint/text/nearest_name.hpp"
 #include "scene_forces.hpp"
@@ -17,62 +16,15 @@ namespace {
 
 using Shape = MotionShape<double>;
 
-/// The keys of a motion that differ between one that turns and one that slides.
-struct MotionWords {
-  const char* quantity;  ///< key of the constant term, and column of a table
-  const char* unit;
-  const char* speed_unit;
-  const char* acceleration_unit;
-};
 constexpr MotionWords turning{"angle", "rad", "rad/s", "rad/s^2"};
 constexpr MotionWords sliding{"position", "m", "m/s", "m/s^2"};
 
-/// What a driver's table says of its motion.
-struct ReadMotion {
-  double start;
-  double speed;
-  double acceleration;
-  std::shared_ptr<const Shape> shape;
-};
-
-Shape read_swing(TableReader table, const MotionWords& words) {
-  Shape shape{0, 0, 0};
-  shape.amplitude = table.number("amplitude", Allowed::any, words.unit);
-  if (shape.amplitude == 0) table.refuse("amplitude", "0", "a number other than 0: a swing that does something");
-  if (table.has("frequency") == table.has("speed")) {
-    table.refuse("speed", table.has("speed") ? "given beside frequency" : "missing, and so is frequency",
-                 "one of them: speed [rad/s] or frequency [Hz]");
-  }
-  shape.rate = table.has("speed") ? table.number("speed", Allowed::positive, "rad/s")
-                                  : 2 * std::numbers::pi * table.number("frequency", Allowed::positive, "Hz");
-  shape.phase = table.number_or("phase", 0, Allowed::any, "rad");
+Shape read_swing(TableReader table, double duration, const MotionWords& words) {
+  const double amplitude = table.number("amplitude", Allowed::any, words.unit);
+  if (amplitude == 0) table.refuse("amplitude", "0", "a number other than 0: a swing that does something");
+  const SceneHarmonic harmonic = read_oscillation(table, duration);
   table.finish();
-  return shape;
-}
-
-/// @param here  where the bodies of the scene are at its start
-ReadMotion read_motion(TableReader& table, const Scene& scene, const MotionWords& words, double here) {
-  if (table.has("table")) {
-    Shape shape{0, 0, 0};
-    shape.table = read_motion_table(table, scene, words.quantity);
-    return {0, 0, 0, std::make_shared<const Shape>(shape)};
-  }
-  ReadMotion motion{0, 0, 0, nullptr};
-  double swing = 0;
-  if (table.has("harmonic")) {
-    const Shape shape = read_swing(table.table("harmonic"), words);
-    swing = shape.amplitude * std::cos(shape.phase);
-    motion.shape = std::make_shared<const Shape>(shape);
-  }
-  motion.start = table.number_or(words.quantity, here - swing, Allowed::any, words.unit);
-  if (!std::isfinite(motion.start)) {
-    table.refuse(words.quantity, "missing, and the bodies' places differ by more than double precision can hold",
-                 std::string("a finite number [") + words.unit + "]");
-  }
-  motion.speed = motion.shape ? table.number_or("speed", 0, Allowed::any, words.speed_unit)
-                              : table.number("speed", Allowed::any, words.speed_unit);
-  motion.acceleration = table.number_or("acceleration", 0, Allowed::any, words.acceleration_unit);
-  return motion;
+  return {amplitude, harmonic.rate, harmonic.phase};
 }
 
 SlideDriver<double> read_slide_driver(TableReader& table, const Scene& scene) {
@@ -87,7 +39,7 @@ SlideDriver<double> read_slide_driver(TableReader& table, const Scene& scene) {
   const Vector2<double> along(std::cos(angle) * guide.axis.x() - std::sin(angle) * guide.axis.y(),
                               std::sin(angle) * guide.axis.x() + std::cos(angle) * guide.axis.y());
   const double here = along.dot(position_of(guide.second, scene) - position_of(guide.first, scene));
-  const ReadMotion motion = read_motion(table, scene, sliding, here);
+  const PrescribedMotion<double> motion = read_motion(table, scene.run.duration, sliding, here);
   driver.position = motion.start;
   driver.speed = motion.speed;
   driver.acceleration = motion.acceleration;
@@ -97,13 +49,37 @@ SlideDriver<double> read_slide_driver(TableReader& table, const Scene& scene) {
 
 }  // namespace
 
+PrescribedMotion<double> read_motion(TableReader& table, double duration, const MotionWords& words, double here) {
+  if (table.has("table")) {
+    Shape shape{0, 0, 0};
+    shape.table = read_motion_table(table, duration, words.quantity);
+    return {0, 0, 0, std::make_shared<const Shape>(shape)};
+  }
+  PrescribedMotion<double> motion{0, 0, 0, nullptr};
+  double swing = 0;
+  if (table.has("harmonic")) {
+    const Shape shape = read_swing(table.table("harmonic"), duration, words);
+    swing = shape.amplitude * std::cos(shape.phase);
+    motion.shape = std::make_shared<const Shape>(shape);
+  }
+  motion.start = table.number_or(words.quantity, here - swing, Allowed::any, words.unit);
+  if (!std::isfinite(motion.start)) {
+    table.refuse(words.quantity, "missing, and the bodies' places differ by more than double precision can hold",
+                 std::string("a finite number [") + words.unit + "]");
+  }
+  motion.speed = motion.shape ? table.number_or("speed", 0, Allowed::any, words.speed_unit)
+                              : table.number("speed", Allowed::any, words.speed_unit);
+  motion.acceleration = table.number_or("acceleration", 0, Allowed::any, words.acceleration_unit);
+  return motion;
+}
+
 AnyConstraint<double> read_driver(TableReader& table, const Scene& scene) {
   if (table.has("along")) return read_slide_driver(table, scene);
   const std::size_t body = read_body_name(table, "body", scene, false);
   const std::size_t against = table.has("against") ? read_body_name(table, "against", scene, true) : ground_body;
   if (against == body) table.refuse("against", in_quotes(scene.bodies[body].name), "another body, or \"ground\"");
   const double here = scene.bodies[body].angle - (against == ground_body ? 0.0 : scene.bodies[against].angle);
-  const ReadMotion motion = read_motion(table, scene, turning, here);
+  const PrescribedMotion<double> motion = read_motion(table, scene.run.duration, turning, here);
   return Driver<double>{against, body, motion.start, motion.speed, motion.acceleration, motion.shape};
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "lubjoint/text/nearest_name.hpp"
 #include "scene_parts.hpp"
@@ -30,13 +29,7 @@ RotationalSpring<double> read_rotational(TableReader& table, const Scene& scene)
   const SceneConstraint& pin =
       pins[find_named(table, "revolute", table.text("revolute"), pins, "constraint of type \"revolute\"")];
   RotationalSpring<double> spring{pin.first_body(), pin.second_body(), 0, 0, 0};
-  spring.stiffness = table.number("stiffness", Allowed::not_negative, "N m/rad");
-  spring.damping = table.number_or("damping", 0, Allowed::not_negative, "N m s/rad");
-  if (spring.stiffness > 0) {
-    spring.free_angle = table.number("free_angle", Allowed::any, "rad");
-  } else if (table.has("free_angle")) {
-    table.refuse("free_angle", "given where stiffness is 0", "none: a damper alone has no free angle");
-  }
+  read_rotational_terms(table, spring);
   return spring;
 }
 
@@ -44,14 +37,7 @@ TranslationalSpring<double> read_translational_spring(TableReader& table, const 
   TranslationalSpring<double> spring{
       read_anchor(table.table("first"), scene), read_anchor(table.table("second"), scene), 0, 0, 0, 0};
   if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
-  spring.stiffness = table.number("stiffness", Allowed::not_negative, "N/m");
-  spring.damping = table.number_or("damping", 0, Allowed::not_negative, "N s/m");
-  spring.preload = table.number_or("preload", 0, Allowed::any, "N");
-  if (spring.stiffness > 0) {
-    spring.free_length = table.number("free_length", Allowed::not_negative, "m");
-  } else if (table.has("free_length")) {
-    table.refuse("free_length", "given where stiffness is 0", "none: a force that does not depend on the length");
-  }
+  read_translational_terms(table, spring);
   // A start may be moved onto its constraints: what is left to rounding there is looked at again before the run.
   if (position_of(spring.first, scene) == position_of(spring.second, scene)) {
     table.refuse("second", "where first is: the spring has length 0, and so no direction",
@@ -84,16 +70,29 @@ Vector2<double> position_of(const SceneAnchor& anchor, const Scene& scene) {
   return body.position + Vector2<double>(cosine * s.x() - sine * s.y(), sine * s.x() + cosine * s.y());
 }
 
-SceneHarmonic read_harmonic(TableReader& table, bool acts) {
-  TableReader swing = table.table("harmonic");
+SceneHarmonic read_oscillation(TableReader& table, double duration) {
   SceneHarmonic harmonic;
-  if (swing.has("frequency") == swing.has("speed")) {
-    swing.refuse("speed", swing.has("speed") ? "given beside frequency" : "missing, and so is frequency",
+  if (table.has("frequency") == table.has("speed")) {
+    table.refuse("speed", table.has("speed") ? "given beside frequency" : "missing, and so is frequency",
                  "one of them: speed [rad/s] or frequency [Hz]");
   }
-  harmonic.rate = swing.has("speed") ? swing.number("speed", Allowed::positive, "rad/s")
-                                     : 2 * std::numbers::pi * swing.number("frequency", Allowed::positive, "Hz");
-  harmonic.phase = swing.number_or("phase", 0, Allowed::any, "rad");
+  const char* key = table.has("speed") ? "speed" : "frequency";
+  const double given = table.number(key, Allowed::positive, table.has("speed") ? "rad/s" : "Hz");
+  harmonic.rate = table.has("speed") ? given : 2 * std::numbers::pi * given;
+  const double periods = harmonic.rate / (2 * std::numbers::pi) * duration;
+  if (periods > most_periods) {
+    table.refuse(key,
+                 with_unit(given, table.has("speed") ? "rad/s" : "Hz") + ", by which the run has " +
+                     with_unit(periods, "periods"),
+                 "at most " + std::to_string(static_cast<int>(most_periods)) + " periods in a run");
+  }
+  harmonic.phase = table.number_or("phase", 0, Allowed::any, "rad");
+  return harmonic;
+}
+
+SceneHarmonic read_harmonic(TableReader& table, double duration, bool acts) {
+  TableReader swing = table.table("harmonic");
+  const SceneHarmonic harmonic = read_oscillation(swing, duration);
   swing.finish();
   if (!acts) table.refuse("harmonic", "given for a force and a moment of 0", "none, or an amplitude other than 0");
   return harmonic;
@@ -114,9 +113,10 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
   }
   bool has_force = !table.has("moment") || table.has("force");
   if (table.has("table")) {
-    LoadTable read = read_load_table(table, scene);
-    load.table = std::move(read.table);
-    has_force = read.has_force;
+    const LoadCurves<3> read = read_load_curves<3>(table, scene.run.duration, {"fx", "fy", "moment"}, {"against"});
+    load.table = SceneTable{read.curves, read.of_angle};
+    if (read.of_angle) load.table->against = read_body_name(table, "against", scene, false);
+    has_force = read.is_there[0] || read.is_there[1];
   } else {
     if (has_force) load.force = table.vector("force", "N");
     load.moment = table.number_or("moment", 0, Allowed::any, "N m");
@@ -129,7 +129,7 @@ SceneLoad read_load(TableReader table, const Scene& scene) {
     if (!has_force && table.has(key)) table.refuse(key, "given for a moment alone", "none, or a force beside it");
   }
   if (!load.table && table.has("harmonic"))
-    load.harmonic = read_harmonic(table, !is_zero(load.force) || load.moment != 0);
+    load.harmonic = read_harmonic(table, scene.run.duration, !is_zero(load.force) || load.moment != 0);
   table.finish();
   return load;
 }
@@ -140,17 +140,11 @@ SceneSpring read_spring(TableReader table, const Scene& scene) {
   if (is_taken(scene.springs, spring.name)) {
     table.refuse("name", in_quotes(spring.name), "a name that no other spring has");
   }
-  bool acts = false;
   if (table.has("revolute")) {
-    const RotationalSpring<double> rotational = read_rotational(table, scene);
-    acts = rotational.stiffness > 0 || rotational.damping > 0;
-    spring.spring = rotational;
+    spring.spring = read_rotational(table, scene);
   } else {
-    const TranslationalSpring<double> translational = read_translational_spring(table, scene);
-    acts = translational.stiffness > 0 || translational.damping > 0 || translational.preload != 0;
-    spring.spring = translational;
+    spring.spring = read_translational_spring(table, scene);
   }
-  if (!acts) table.refuse("stiffness", "0 in a spring without damping or preload", "a spring that does something");
   table.finish();
   return spring;
 }

@@ -127,18 +127,9 @@ SceneAnchor read_anchor(TableReader table, const Scene& scene) {
 
 Vector2<double> read_point(TableReader& table, std::string_view key, const Scene& scene, std::size_t body) {
   if (!table.is_text(key)) return table.vector_or(key, Vector2<double>(0, 0), "m");
-  const std::string name = table.text(key);
-  if (body == ground_body)
-    table.refuse(key, in_quotes(name), "[x, y] [m], inertial: the ground's points have no names");
-  const SceneBody& holder = scene.bodies[body];
-  const auto found = std::find_if(holder.points.begin(), holder.points.end(),
-                                  [&](const ScenePoint& point) { return point.name == name; });
-  if (found != holder.points.end()) return found->place;
-  std::vector<std::string_view> names;
-  for (const ScenePoint& point : holder.points) names.push_back(point.name);
-  table.refuse(key, in_quotes(name),
-               names.empty() ? "[x, y] [m]: body " + in_quotes(holder.name) + " names no points"
-                             : "[x, y] [m], or a point of body " + in_quotes(holder.name) + ": " + one_of(names, name));
+  static const std::vector<ScenePoint> none;
+  const std::string holder = body == ground_body ? std::string() : scene.bodies[body].name;
+  return find_point(table, key, holder, body == ground_body ? none : scene.bodies[body].points, "[x, y]");
 }
 
 void read_contact(TableReader& joint_table, SceneJoint& joint) {

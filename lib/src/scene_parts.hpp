@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lubjoint/scene/scene.hpp"
+#include "lubjoint/text/nearest_name.hpp"
 #include "table_reader.hpp"
 
 namespace lubjoint {
@@ -27,6 +28,22 @@ std::size_t find_named(const TableReader& table, std::string_view key, const std
   std::string allowed = items.empty() ? "nothing: the scene has no " + what : "the name of a " + what + ":";
   for (const auto& item : items) allowed += " " + in_quotes(item.name);
   table.refuse(key, in_quotes(name), allowed);
+}
+
+/// The place of a body's point, in the plane or in space, by the name at a key.
+/// @param holder  name of the body; "" of the ground;  @param axes  "[x, y]" or "[x, y, z]"
+template <class Points>
+auto find_point(TableReader& table, std::string_view key, const std::string& holder, const Points& points,
+                const std::string& axes) {
+  const std::string name = table.text(key);
+  if (holder.empty()) table.refuse(key, in_quotes(name), axes + " [m], inertial: the ground's points have no names");
+  const auto found = std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.name == name; });
+  if (found != points.end()) return found->place;
+  std::vector<std::string_view> names;
+  for (const auto& point : points) names.push_back(point.name);
+  table.refuse(key, in_quotes(name),
+               names.empty() ? axes + " [m]: body " + in_quotes(holder) + " names no points"
+                             : axes + " [m], or a point of body " + in_quotes(holder) + ": " + one_of(names, name));
 }
 
 /// A point of a body, given by its place or by its name; the mass centre where the key is missing.

@@ -262,9 +262,11 @@ std::vector<Cubic> spline(const std::vector<double>& x, const std::vector<double
   return pieces;
 }
 
-LoadTable read_load_table(TableReader& table, const Scene& scene) {
-  SceneTable result;
-  TableColumns given = read_table_file(table, {"t", "angle"}, {"fx", "fy", "moment"});
+template <std::size_t N>
+LoadCurves<N> read_load_curves(TableReader& table, double duration, const std::array<std::string_view, N>& quantities,
+                               const std::vector<std::string_view>& of_angle_alone) {
+  LoadCurves<N> result{};
+  TableColumns given = read_table_file(table, {"t", "angle"}, {quantities.begin(), quantities.end()});
   std::vector<double>& knots = given.columns[0];
   result.of_angle = given.names[0] == "angle";
   const std::string interpolation = table.text_or("interpolation", "linear");
@@ -273,31 +275,32 @@ LoadTable read_load_table(TableReader& table, const Scene& scene) {
   }
   const bool periodic = result.of_angle || table.flag_or("periodic", false);
   if (result.of_angle) {
-    result.against = read_body_name(table, "against", scene, false);
     if (table.has("periodic")) {
       table.refuse("periodic", "given for a table over an angle", "none: such a table always is periodic");
     }
     make_whole_revolutions(table, given);
-  } else if (table.has("against")) {
-    table.refuse("against", "given for a table over t", "none, or a table whose first column is angle");
+  } else {
+    for (const std::string_view key : of_angle_alone) {
+      if (table.has(key)) table.refuse(key, "given for a table over t", "none, or a table whose first column is angle");
+    }
   }
   if (interpolation != "linear" && !periodic && knots.size() < 4) {
     table.refuse("interpolation", in_quotes(interpolation) + " of " + std::to_string(knots.size()) + " rows",
                  "four rows or more, or \"linear\"");
   }
   if (!periodic) {
-    require_cover(table, knots, scene.run.duration);
+    require_cover(table, knots, duration);
   } else if (!result.of_angle) {
-    const double count = passages(knots, scene.run.duration);
+    const double count = passages(knots, duration);
     if (count > static_cast<double>(most_rows)) {
       table.refuse("table", "a table whose rows the run passes " + with_unit(count, "times"),
                    "at most " + std::to_string(most_rows) + " rows in a run");
     }
   }
-  std::vector<std::array<Cubic, 3>> pieces(knots.size() - 1, std::array<Cubic, 3>{});
-  constexpr std::array<std::string_view, 3> quantities = {"fx", "fy", "moment"};
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
+  std::vector<std::array<Cubic, N>> pieces(knots.size() - 1, std::array<Cubic, N>{});
+  for (std::size_t i = 0; i < N; ++i) {
     const std::vector<double>* values = given.find(quantities[i]);
+    result.is_there[i] = values != nullptr;
     if (values == nullptr) continue;
     if (periodic && values->front() != values->back()) {
       table.refuse("table",
@@ -308,18 +311,24 @@ LoadTable read_load_table(TableReader& table, const Scene& scene) {
     const std::vector<Cubic> of_column = interpolated(knots, *values, interpolation, periodic);
     for (std::size_t k = 0; k < pieces.size(); ++k) pieces[k][i] = of_column[k];
   }
-  result.curves = std::make_shared<const TableCurves<3>>(knots, std::move(pieces), periodic);
-  return {result, given.find("fx") != nullptr || given.find("fy") != nullptr};
+  result.curves = std::make_shared<const TableCurves<N>>(knots, std::move(pieces), periodic);
+  return result;
 }
+template LoadCurves<3> read_load_curves(TableReader& table, double duration,
+                                        const std::array<std::string_view, 3>& quantities,
+                                        const std::vector<std::string_view>& of_angle_alone);
+template LoadCurves<6> read_load_curves(TableReader& table, double duration,
+                                        const std::array<std::string_view, 6>& quantities,
+                                        const std::vector<std::string_view>& of_angle_alone);
 
-std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, const Scene& scene,
+std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, double duration,
                                                         std::string_view quantity) {
   const TableColumns given = read_table_file(table, {"t"}, {quantity});
   const std::vector<double>& knots = given.columns[0];
   if (knots.size() < 4) {
     table.refuse("table", "a table of " + std::to_string(knots.size()) + " rows", "four rows or more");
   }
-  require_cover(table, knots, scene.run.duration);
+  require_cover(table, knots, duration);
   std::vector<std::array<Cubic, 1>> pieces;
   for (const Cubic& cubic : spline(knots, given.columns[1])) pieces.push_back({cubic});
   return std::make_shared<const TableCurves<1>>(knots, std::move(pieces), false);

@@ -47,18 +47,23 @@ double passages(const std::vector<double>& knots, double way);
 /// rest of a run that is cut in two ends where the whole one does.
 bool covers(const std::vector<double>& knots, double from, double to);
 
-/// A load's table, and whether it has a force.
-struct LoadTable {
-  SceneTable table;
-  bool has_force;  ///< is there a column fx or fy, whatever stands in it?
+/// What a load has from a table of time or of an angle, and which of its columns are there, whatever stands in them.
+template <std::size_t N>
+struct LoadCurves {
+  std::shared_ptr<const TableCurves<N>> curves;  ///< of all N quantities; 0 of those that are not there
+  bool of_angle;                                 ///< in place of time
+  std::array<bool, N> is_there;                  ///< of each quantity
 };
 
-/// A load's table and the keys that say how it is read.
-LoadTable read_load_table(TableReader& table, const Scene& scene);
+/// The table of a load and the keys that say how it is read: table, interpolation, periodic.
+/// @param duration  of the run [s];  @param quantities  names of columns
+/// @param of_angle_alone  keys that only a table over an angle has; who asked for it reads them
+template <std::size_t N>
+LoadCurves<N> read_load_curves(TableReader& table, double duration, const std::array<std::string_view, N>& quantities,
+                               const std::vector<std::string_view>& of_angle_alone);
 
 /// A table of time of the motion that a driver prescribes.
-/// @param quantity  what its second column is called
-std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, const Scene& scene,
-                                                        std::string_view quantity);
+/// @param duration  of the run [s];  @param quantity  what its second column is called
+std::shared_ptr<const TableCurves<1>> read_motion_table(TableReader& table, double duration, std::string_view quantity);
 
 }  // namespace lubjoint

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <sstream>
 
 #include "lubjoint/text/nearest_name.hpp"
+#include "scene_drivers.hpp"
 #include "scene_parts.hpp"
 
 namespace lubjoint {
@@ -41,7 +43,8 @@ struct Side {
 };
 
 Side read_side(TableReader table, const SpatialScene& scene) {
-  Side side{read_body_name(table, "body", body_names(scene), true), table.vector3_or("point", {0, 0, 0}, "m"), {}};
+  const SpatialBodyPoint<double> at = read_body_point(table, scene, true);
+  Side side{at.body, at.point, {}};
   if (table.has("axis")) side.axis = read_direction(table, "axis");
   table.finish();
   return side;
@@ -134,6 +137,9 @@ DistanceJoint<double> read_distance(TableReader& table, const SpatialScene& scen
   return {{first, second}, table.number_or("length", at_start, Allowed::positive, "m")};
 }
 
+constexpr MotionWords turning{"angle", "rad", "rad/s", "rad/s^2"};
+constexpr MotionWords sliding{"displacement", "m", "m/s", "m/s^2"};
+
 /// Axes of a constraint about which, or along which, a driver may act.
 struct DrivenAxes {
   BodyAxes<double> first, second;
@@ -171,24 +177,16 @@ AnySpatialConstraint<double> read_spatial_driver(TableReader& table, const Spati
     table.refuse("motion", in_quotes(motion) + " of " + in_quotes(name),
                  turns ? "\"translation\" of a prismatic constraint" : "\"rotation\" of a revolute constraint");
   }
-  const char* unit = turns ? "rad" : "m";
-  const std::string per_second = std::string(unit) + "/s";
   // The revolute's axes across coincide at t = 0: the angle is counted from there.
   const double along =
       turns ? 0
             : dot(inertial_vector(frame_at_start(scene, axes->first.body), axes->first.axis),
                   difference(point_motion(frame_at_start(scene, axes->second.body), axes->second.point).position,
                              point_motion(frame_at_start(scene, axes->first.body), axes->first.point).position));
-  const double start = turns ? table.number_or("angle", 0, Allowed::any, unit)
-                             : table.number_or("displacement", along, Allowed::any, unit);
-  if (!std::isfinite(start)) {
-    table.refuse("displacement", "missing, and the points lie too far apart for double precision",
-                 "a finite number [m]");
-  }
-  const char* other = turns ? "displacement" : "angle";
-  if (table.has(other)) table.refuse(other, "given for a " + motion, turns ? "angle" : "displacement");
-  const PrescribedMotion<double> prescribed{start, table.number("speed", Allowed::any, per_second),
-                                            table.number_or("acceleration", 0, Allowed::any, per_second + "^2")};
+  const MotionWords& words = turns ? turning : sliding;
+  const char* other = turns ? sliding.quantity : turning.quantity;
+  if (table.has(other)) table.refuse(other, "given for a " + motion, words.quantity);
+  const PrescribedMotion<double> prescribed = read_motion(table, scene.run.duration, words, along);
   if (turns) return RotationalDriver<double>{{axes->first, axes->second}, prescribed};
   return TranslationalDriver<double>{{axes->first, axes->second}, prescribed};
 }
@@ -216,7 +214,8 @@ constexpr SpatialConstraintReader constraint_readers[] = {
     {"distance", as_any<read_distance>},
     {"driver", as_any<read_spatial_driver>}};
 // Two types make a FixedJoint, and one makes both drivers.
-static_assert(std::size(constraint_readers) == std::variant_size_v<AnySpatialConstraint<double>>, "a reader for each");
+static_assert(std::size(constraint_readers) + 1 == std::variant_size_v<AnySpatialConstraint<double>>,
+              "a reader for each but held spins, which bodies say");
 
 }  // namespace
 
@@ -250,10 +249,18 @@ EulerParameters<double> read_orientation(TableReader table) {
 }
 
 SpatialBodyPoint<double> read_spatial_point(TableReader table, const SpatialScene& scene) {
-  const SpatialBodyPoint<double> point{read_body_name(table, "body", body_names(scene), true),
-                                       table.vector3_or("point", {0, 0, 0}, "m")};
+  const SpatialBodyPoint<double> point = read_body_point(table, scene, true);
   table.finish();
   return point;
+}
+
+SpatialBodyPoint<double> read_body_point(TableReader& table, const SpatialScene& scene, bool ground_is_allowed) {
+  const std::size_t body = read_body_name(table, "body", body_names(scene), ground_is_allowed);
+  if (!table.is_text("point")) return {body, table.vector3_or("point", {0, 0, 0}, "m")};
+  static const std::vector<SpatialScenePoint> none;
+  const std::string holder = body == ground_body ? std::string() : scene.bodies[body].name;
+  return {body,
+          find_point(table, "point", holder, body == ground_body ? none : scene.bodies[body].points, "[x, y, z]")};
 }
 
 BodyAxes<double> read_axes(TableReader table, const SpatialScene& scene) {
@@ -268,6 +275,25 @@ BodyAxes<double> read_axes_like(TableReader table, const SpatialScene& scene, co
   axes.axis = side.axis ? *side.axis : direction(seen_from(scene, other.body, other.axis, side.body));
   axes.across = across_like(scene, axes, other);
   return axes;
+}
+
+std::size_t read_angle(TableReader& table, std::string_view key, SpatialScene& scene, double zero) {
+  std::vector<SpatialSceneConstraint> pivots;
+  std::copy_if(scene.constraints.begin(), scene.constraints.end(), std::back_inserter(pivots), [](const auto& each) {
+    const auto axes = driven_axes(each);
+    return axes && axes->turns;
+  });
+  const std::size_t named = find_named(table, key, table.text(key), pivots, "revolute or cylindrical constraint");
+  const DrivenAxes axes = *driven_axes(pivots[named]);
+  const auto same_side = [](const BodyAxes<double>& a, const BodyAxes<double>& b) {
+    return a.body == b.body && a.point == b.point && a.axis == b.axis && a.across == b.across;
+  };
+  const auto known = std::find_if(scene.angles.begin(), scene.angles.end(), [&](const CountedAngle<double>& each) {
+    return each.zero == zero && same_side(each.first, axes.first) && same_side(each.second, axes.second);
+  });
+  const auto number = static_cast<std::size_t>(known - scene.angles.begin());
+  if (known == scene.angles.end()) scene.angles.push_back({axes.first, axes.second, zero});
+  return number;
 }
 
 SpatialSceneConstraint read_spatial_constraint(TableReader table, const SpatialScene& scene) {

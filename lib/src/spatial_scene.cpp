@@ -1,12 +1,16 @@
 #include "lubjoint/scene/spatial_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
+#include "table_times.hpp"
 
 namespace lubjoint {
 
@@ -18,7 +22,7 @@ template SpatialStart<double> assemble_spatial_start(SpatialSystem<double>& syst
 namespace {
 
 /// Length of a spring in a state [m].
-double length_of(const SpatialSpring<double>& spring, const std::vector<double>& y, std::size_t bodies) {
+double length_of(const SpatialTranslationalSpring<double>& spring, const std::vector<double>& y, std::size_t bodies) {
   const auto place = [&](const SpatialBodyPoint<double>& at) {
     return point_motion(SpatialFrame<double>(spatial_motion_in(y.data(), bodies, at.body)), at.point).position;
   };
@@ -110,6 +114,68 @@ void require_closure(const SpatialScene& scene, const PreparedSpatialScene& prep
 
 }  // namespace
 
+namespace {
+
+/// The springs along lines, with their numbers: act(number, spring).
+template <class Act>
+void for_each_straight_spring(const SpatialScene& scene, const Act& act) {
+  for (std::size_t k = 0; k < scene.springs.size(); ++k) {
+    if (const auto* spring = std::get_if<SpatialTranslationalSpring<double>>(&scene.springs[k].spring)) act(k, *spring);
+  }
+}
+
+/// |J′⁻¹ M′|, M inertial or of the body, which is at its start.
+double angular_acceleration(const SpatialSceneBody& body, const Vector3<double>& moment, bool in_body) {
+  const Vector3<double> turned = in_body ? moment : transposed_product(rotation_matrix(body.orientation), moment);
+  return body.inertia.llt().solve(turned).norm();
+}
+
+/// Refuses tables that the run leaves, or repeats too often.
+void require_tables(const SpatialScene& scene) {
+  const double duration = scene.run.duration;
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
+    const std::optional<SpatialSceneTable>& table = scene.loads[l].table;
+    if (!table || table->of_angle) continue;
+    const std::string what = "loads[" + std::to_string(l) + "]";
+    require_cover(scene.file, duration, what, *table->curves, 0);
+    if (table->curves->is_periodic()) require_few_passages(scene.file, what, *table->curves, duration);
+  }
+  for (const SpatialSceneConstraint& each : scene.constraints) {
+    std::visit(
+        [&]<class Constraint>(const Constraint& constraint) {
+          if constexpr (requires { constraint.motion; })
+            require_cover(scene.file, duration, each.name, constraint.motion.shape);
+        },
+        each.constraint);
+  }
+}
+
+}  // namespace
+
+HeldSpin<double> held_spin(const SpatialScene& scene, std::size_t body) {
+  const SpatialSceneBody& held = scene.bodies[body];
+  const Vector3<double> axis = is_zero(held.spin) ? Vector3<double>(0, 0, 1) : direction(held.spin);
+  const Vector3<double> across = any_perpendicular(axis);
+  const Matrix3<double> a = rotation_matrix(held.orientation);
+  return {{{{{0, 0, 0}, product(a, axis), product(a, across)}, ground_body}, {{{0, 0, 0}, axis, across}, body}},
+          {0, held.spin.norm(), 0}};
+}
+
+std::vector<double> scene_knots(const SpatialScene& scene) {
+  std::vector<double> times;
+  for (const SpatialSceneLoad& load : scene.loads) {
+    if (load.table && !load.table->of_angle) add_knots(*load.table->curves, 0, scene.run.duration, times);
+  }
+  for (const SpatialSceneConstraint& each : scene.constraints) {
+    std::visit(
+        [&]<class Constraint>(const Constraint& constraint) {
+          if constexpr (requires { constraint.motion; }) add_knots(constraint.motion.shape, scene.run.duration, times);
+        },
+        each.constraint);
+  }
+  return in_order(std::move(times));
+}
+
 SceneUnits scene_units(const SpatialScene& scene) {
   SceneUnits units{0, 0, 0, 1 / scene.run.duration, 0};
   const auto reach = [&](std::size_t body, const Vector3<double>& point) {
@@ -120,13 +186,13 @@ SceneUnits scene_units(const SpatialScene& scene) {
     reach(joint.bearing.body, joint.bearing.point);
     reach(joint.journal.body, joint.journal.point);
   }
-  for (const SpatialSpring<double>& spring : scene.springs) {
+  for_each_straight_spring(scene, [&](std::size_t, const auto& spring) {
     reach(spring.first.body, spring.first.point);
     reach(spring.second.body, spring.second.point);
-  }
-  for (const SpatialSpring<double>& spring : scene.springs) {  // bodies that hang on springs at their mass centres
+  });
+  for_each_straight_spring(scene, [&](std::size_t, const auto& spring) {  // of bodies that hang at their mass centres
     if (units.mechanism == 0) units.mechanism = length_of(spring, scene_start<double>(scene), scene.bodies.size());
-  }
+  });
   if (units.mechanism == 0) units.mechanism = scene.joints.empty() ? 1 : scene.joints.front().plane.journal_radius;
   units.length = units.mechanism;
   for (const SpatialSceneJoint& joint : scene.joints) units.length = std::min(units.length, joint.plane.clearance);
@@ -139,28 +205,51 @@ SceneUnits scene_units(const SpatialScene& scene) {
     units.energy += (body.mass * body.velocity.squaredNorm() + body.spin.dot(body.inertia * body.spin)) / 2 +
                     body.mass * scene.gravity.norm() * units.mechanism;
   }
-  /// |J′⁻¹ M′|, the body at its start.
-  const auto angular_acceleration = [&](const SpatialSceneLoad& load) {
-    const SpatialSceneBody& body = scene.bodies[load.body];
-    const Vector3<double> in_body =
-        load.turns_with_body ? load.moment : transposed_product(rotation_matrix(body.orientation), load.moment);
-    return body.inertia.llt().solve(in_body).norm();
-  };
   for (const SpatialSceneLoad& load : scene.loads) {
-    at_least(std::sqrt(angular_acceleration(load)));
+    const SpatialSceneBody& body = scene.bodies[load.body];
+    at_least(std::sqrt(angular_acceleration(body, load.moment, load.turns_with_body)));
     units.energy += load.moment.norm() + load.force.norm() * units.mechanism;
     if (load.harmonic) at_least(load.harmonic->rate);
+    if (!load.table) continue;
+    double force = 0;
+    double moment = 0;
+    for (const double knot : load.table->curves->knots()) {
+      const std::array<double, 6> values = load.table->curves->at(knot);
+      const Vector3<double> m(values[3], values[4], values[5]);
+      force = std::max(force, Vector3<double>(values[0], values[1], values[2]).norm());
+      moment = std::max(moment, m.norm());
+      at_least(std::sqrt(angular_acceleration(body, m, load.turns_with_body)));
+    }
+    units.energy += moment + force * units.mechanism;
+    if (!load.table->of_angle) at_least(2 * std::numbers::pi / load.table->curves->length());
   }
-  for (const SpatialSpring<double>& spring : scene.springs) {
+  for_each_straight_spring(scene, [&](std::size_t, const auto& spring) {
     units.energy += std::abs(spring.preload) * units.mechanism;
     for (const std::size_t body : {spring.first.body, spring.second.body}) {
       if (body != ground_body) at_least(std::sqrt(spring.stiffness / scene.bodies[body].mass));
     }
+  });
+  for (const NamedSpatialSpring<double>& each : scene.springs) {
+    const auto* spring = std::get_if<SpatialRotationalSpring<double>>(&each.spring);
+    if (spring == nullptr) continue;
+    const CountedAngle<double>& angle = scene.angles[spring->angle];
+    for (const BodyAxes<double>& side : {angle.first, angle.second}) {
+      if (side.body == ground_body) continue;
+      const Vector3<double> moment = spring->stiffness * side.axis;
+      at_least(std::sqrt(angular_acceleration(scene.bodies[side.body], moment, true)));
+    }
   }
   for (const SpatialSceneConstraint& each : scene.constraints) {
-    if (const auto* motor = std::get_if<RotationalDriver<double>>(&each.constraint)) at_least(motor->motion.speed);
-    if (const auto* ram = std::get_if<TranslationalDriver<double>>(&each.constraint))
-      at_least(ram->motion.speed / units.mechanism);
+    std::visit(
+        [&]<class Constraint>(const Constraint& constraint) {
+          if constexpr (requires { constraint.motion; }) {
+            const double unit = Constraint::is_length(0) ? units.mechanism : 1;
+            for_each_rate(
+                constraint.motion.speed, constraint.motion.shape, [&](double rate) { at_least(rate / unit); },
+                at_least);
+          }
+        },
+        each.constraint);
   }
   for (const SpatialSceneBody& body : scene.bodies) {
     units.energy = std::max(units.energy, body.mass * std::pow(units.length * units.rate, 2));
@@ -187,6 +276,7 @@ std::vector<double> scene_tolerances(const SpatialScene& scene) {
 }
 
 PreparedSpatialScene prepare_spatial(const SpatialScene& scene) {
+  require_tables(scene);
   PreparedSpatialScene prepared{spatial_system<double>(scene), scene_start<double>(scene), {}};
   try {
     prepared.found =
@@ -200,13 +290,12 @@ PreparedSpatialScene prepare_spatial(const SpatialScene& scene) {
                      " rows of the constraints repeats others; allowed is \"refuse\", or no such key");
   }
   for (std::size_t c = 0; c < scene.constraints.size(); ++c) require_closure(scene, prepared, c);
-  for (std::size_t k = 0; k < scene.springs.size(); ++k) {
-    if (length_of(scene.springs[k], prepared.start, scene.bodies.size()) > 1e-12 * scene_units(scene).mechanism)
-      continue;
+  for_each_straight_spring(scene, [&](std::size_t k, const auto& spring) {
+    if (length_of(spring, prepared.start, scene.bodies.size()) > 1e-12 * scene_units(scene).mechanism) return;
     throw SceneError(scene.file + ": springs[" + std::to_string(k) + "] \"" + scene.springs[k].name +
                      "\" has length 0 at the start that fulfils the constraints; allowed is a length above 0: a spring "
                      "of length 0 has no direction");
-  }
+  });
   for (std::size_t j = 0; j < scene.joints.size(); ++j) require_inside(scene, prepared, j);
   return prepared;
 }

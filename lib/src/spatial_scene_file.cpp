@@ -9,6 +9,7 @@
 #include "scene_changes.hpp"
 #include "scene_forces.hpp"
 #include "scene_parts.hpp"
+#include "scene_tables.hpp"
 #include "spatial_constraints.hpp"
 
 namespace lubjoint {
@@ -47,23 +48,82 @@ SpatialSceneBody read_spatial_body(TableReader table, const std::vector<SpatialS
   body.position = table.vector3_or("position", body.position, "m");
   if (table.has("orientation")) body.orientation = read_orientation(table.table("orientation"));
   body.velocity = table.vector3_or("velocity", body.velocity, "m/s");
-  body.spin = table.vector3_or("spin", body.spin, "rad/s");
+  if (table.has("points")) {
+    TableReader points = table.table("points");
+    for (const std::string& name : points.keys()) body.points.push_back({name, points.vector3(name, "m")});
+  }
+  if (table.is_table("spin")) {
+    TableReader spin = table.table("spin");
+    if (!spin.has("held")) {
+      table.refuse("spin", "a table without held", "[x, y, z] [rad/s], or {held = [x, y, z]} where it is prescribed");
+    }
+    body.spin = spin.vector3("held", "rad/s");
+    body.spin_is_held = true;
+    spin.finish();
+  } else {
+    body.spin = table.vector3_or("spin", body.spin, "rad/s");
+  }
   table.finish();
   return body;
 }
 
-SpatialSceneLoad read_spatial_load(TableReader table, const SpatialScene& scene) {
+/// U u of a body whose spin is held.
+Vector3<double> read_spatial_unbalance(TableReader table, const SpatialSceneBody& body) {
+  const double mass_radius = table.number("mass_radius", Allowed::positive, "kg m");
+  const Vector3<double> given = table.vector3("direction", "-");
+  if (is_zero(given)) table.refuse("direction", "[0, 0, 0]", "a direction, of any length");
+  const Vector3<double> u = direction(given);
+  if (is_zero(body.spin)) {
+    table.refuse("mass_radius", "given for body " + in_quotes(body.name) + ", which is held without spin",
+                 "none: an unbalance that does not turn does nothing");
+  }
+  const double along = dot(u, direction(body.spin));
+  if (std::abs(along) > 1e-6) {  // as far as rounded numbers of a file may be off
+    table.refuse("direction",
+                 "one that leans by " + with_unit(std::asin(std::min(1.0, std::abs(along))), "rad") +
+                     " from the plane across the held spin",
+                 "one across that spin, in the body's axes: what lies along it does nothing");
+  }
+  table.finish();
+  return mass_radius * u;
+}
+
+SpatialSceneLoad read_spatial_load(TableReader table, SpatialScene& scene) {
   SpatialSceneLoad load;
-  load.body = read_body_name(table, "body", body_names(scene), false);
-  const bool has_force = !table.has("moment") || table.has("force");
-  if (has_force) load.force = table.vector3("force", "N");
-  load.moment = table.vector3_or("moment", load.moment, "N m");
-  load.point = table.vector3_or("point", load.point, "m");
+  const SpatialBodyPoint<double> at = read_body_point(table, scene, false);
+  load.body = at.body;
+  load.point = at.point;
+  if (table.has("unbalance")) {
+    const SpatialSceneBody& body = scene.bodies[load.body];
+    if (!body.spin_is_held) {
+      table.refuse("unbalance", "on body " + in_quotes(body.name) + ", whose spin is not held",
+                   "a body with spin = {held = [x, y, z]}; where the spin is free, let the mass centre lie off the "
+                   "points of its joints and constraints");
+    }
+    if (table.has("point")) table.refuse("point", "given for an unbalance", "none: it is of the body as a whole");
+    load.unbalance = read_spatial_unbalance(table.table("unbalance"), body);
+    table.finish();
+    return load;
+  }
+  bool has_force = !table.has("moment") || table.has("force");
+  if (table.has("table")) {
+    const LoadCurves<6> read = read_load_curves<6>(table, scene.run.duration, {"fx", "fy", "fz", "mx", "my", "mz"},
+                                                   {"against", "start_angle"});
+    load.table = SpatialSceneTable{read.curves, read.of_angle};
+    if (read.of_angle)
+      load.table->angle = read_angle(table, "against", scene, table.number_or("start_angle", 0, Allowed::any, "rad"));
+    has_force = read.is_there[0] || read.is_there[1] || read.is_there[2];
+  } else {
+    if (has_force) load.force = table.vector3("force", "N");
+    load.moment = table.vector3_or("moment", load.moment, "N m");
+  }
   if (!has_force && table.has("point")) table.refuse("point", "given for a moment alone", "none, or a force beside it");
   const std::string frame = table.text_or("frame", "inertial");
   if (frame != "inertial" && frame != "body") table.refuse("frame", in_quotes(frame), "\"inertial\" or \"body\"");
   load.turns_with_body = frame == "body";
-  if (table.has("harmonic")) load.harmonic = read_harmonic(table, !is_zero(load.force) || !is_zero(load.moment));
+  if (!load.table && table.has("harmonic")) {
+    load.harmonic = read_harmonic(table, scene.run.duration, !is_zero(load.force) || !is_zero(load.moment));
+  }
   table.finish();
   return load;
 }
@@ -83,38 +143,58 @@ SpatialSceneJoint read_spatial_joint(TableReader table, const SpatialScene& scen
   return joint;
 }
 
-SpatialSpring<double> read_spatial_spring(TableReader table, const SpatialScene& scene) {
-  SpatialSpring<double> spring{table.name("name"), {}, {}, 0, 0, 0, 0};
+/// A rotational spring acts about the pivot that it names.
+SpatialRotationalSpring<double> read_about(TableReader& table, SpatialScene& scene) {
+  SpatialRotationalSpring<double> spring{read_angle(table, "revolute", scene, 0), 0, 0, 0, 0, 0};
+  spring.first = scene.angles[spring.angle].first.body;
+  spring.second = scene.angles[spring.angle].second.body;
+  read_rotational_terms(table, spring);
+  return spring;
+}
+
+SpatialTranslationalSpring<double> read_between_points(TableReader& table, const SpatialScene& scene) {
+  SpatialTranslationalSpring<double> spring{
+      read_spatial_point(table.table("first"), scene), read_spatial_point(table.table("second"), scene), 0, 0, 0, 0};
+  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
+  read_translational_terms(table, spring);
+  const auto place = [&](const SpatialBodyPoint<double>& at) {
+    return point_motion(frame_at_start(scene, at.body), at.point).position;
+  };
+  // A start may be moved onto its constraints: what is left to rounding there is looked at again before the run.
+  if (place(spring.first) == place(spring.second)) {
+    table.refuse("second", "where first is: the spring has length 0, and so no direction",
+                 "a point at a distance above 0 at t = 0");
+  }
+  return spring;
+}
+
+NamedSpatialSpring<double> read_spatial_spring(TableReader table, SpatialScene& scene) {
+  NamedSpatialSpring<double> spring;
+  spring.name = table.name("name");
   if (is_taken(scene.springs, spring.name)) {
     table.refuse("name", in_quotes(spring.name), "a name that no other spring has");
   }
-  spring.first = read_spatial_point(table.table("first"), scene);
-  spring.second = read_spatial_point(table.table("second"), scene);
-  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
-  spring.stiffness = table.number("stiffness", Allowed::not_negative, "N/m");
-  spring.damping = table.number_or("damping", 0, Allowed::not_negative, "N s/m");
-  spring.preload = table.number_or("preload", 0, Allowed::any, "N");
-  if (spring.stiffness > 0) {
-    spring.free_length = table.number("free_length", Allowed::not_negative, "m");
-  } else if (table.has("free_length")) {
-    table.refuse("free_length", "given where stiffness is 0", "none: a force that does not depend on the length");
-  }
-  if (spring.stiffness == 0 && spring.damping == 0 && spring.preload == 0) {
-    table.refuse("stiffness", "0 in a spring without damping or preload", "a spring that does something");
+  if (table.has("revolute")) {
+    spring.spring = read_about(table, scene);
+  } else {
+    spring.spring = read_between_points(table, scene);
   }
   table.finish();
   return spring;
 }
 
-constexpr std::array<std::string_view, 4> sensor_types = {"reaction", "point", "distance", "spring"};
+constexpr std::array<std::string_view, 5> sensor_types = {"reaction", "point", "distance", "angle", "spring"};
 
 /// Of a scene whose bodies, joints, constraints and springs are known.
-SpatialSensor read_spatial_sensor(TableReader table, const SpatialScene& scene) {
+SpatialSensor read_spatial_sensor(TableReader table, SpatialScene& scene) {
   SpatialSensor sensor;
   sensor.name = table.name("name");
   const bool of_joint = std::any_of(scene.joints.begin(), scene.joints.end(),
                                     [&](const auto& joint) { return joint.plane.name == sensor.name; });
-  if (of_joint || is_taken(scene.bodies, sensor.name) || is_taken(scene.constraints, sensor.name) ||
+  const bool held = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const auto& body) {
+    return body.spin_is_held && held_spin_name(body) == sensor.name;
+  });
+  if (of_joint || held || is_taken(scene.bodies, sensor.name) || is_taken(scene.constraints, sensor.name) ||
       is_taken(scene.sensors, sensor.name)) {
     table.refuse("name", in_quotes(sensor.name), "a name that no body, joint, constraint or other sensor has");
   }
@@ -123,8 +203,7 @@ SpatialSensor read_spatial_sensor(TableReader table, const SpatialScene& scene) 
     sensor.of =
         ReactionSensor{find_named(table, "constraint", table.text("constraint"), scene.constraints, "constraint")};
   } else if (type == "point") {
-    const std::size_t body = read_body_name(table, "body", body_names(scene), false);
-    sensor.of = SpatialPointSensor{{body, table.vector3_or("point", {0, 0, 0}, "m")}};
+    sensor.of = SpatialPointSensor{read_body_point(table, scene, false)};
   } else if (type == "distance") {
     const SpatialDistanceSensor distance{read_spatial_point(table.table("first"), scene),
                                          read_spatial_point(table.table("second"), scene)};
@@ -132,6 +211,9 @@ SpatialSensor read_spatial_sensor(TableReader table, const SpatialScene& scene) 
       table.refuse("second", "on the same body as first", "another body: that distance never changes");
     }
     sensor.of = distance;
+  } else if (type == "angle") {
+    const double zero = table.number_or("start_angle", 0, Allowed::any, "rad");
+    sensor.of = SpatialAngleSensor{read_angle(table, "revolute", scene, zero)};
   } else if (type == "spring") {
     sensor.of = SpringSensor{find_named(table, "spring", table.text("spring"), scene.springs, "spring")};
   } else {
@@ -154,11 +236,11 @@ SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
     scene.bodies.push_back(read_spatial_body(table, scene.bodies));
   }
   if (scene.bodies.empty()) root.refuse("bodies", "missing or empty", "at least one [[bodies]] table");
-  for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_spatial_load(table, scene));
   for (const TableReader& table : root.tables("joints")) scene.joints.push_back(read_spatial_joint(table, scene));
   for (const TableReader& table : root.tables("constraints")) {
     scene.constraints.push_back(read_spatial_constraint(table, scene));
   }
+  for (const TableReader& table : root.tables("loads")) scene.loads.push_back(read_spatial_load(table, scene));
   for (const TableReader& table : root.tables("springs")) scene.springs.push_back(read_spatial_spring(table, scene));
   for (const TableReader& table : root.tables("sensors")) scene.sensors.push_back(read_spatial_sensor(table, scene));
   if (!root.has("joints") && !root.has("constraints")) {  // a file cut off there would run as free flight
@@ -176,7 +258,9 @@ SpatialScene read_spatial_scene(TableReader root, const std::string& file) {
       root.refuse("stabilisation", "one that passes singular positions", "singular_positions = \"stop\" in space");
     }
   }
-  scene.coordinates = read_coordinates(root, !scene.constraints.empty(), scene.stabilisation);
+  const bool holds_spin =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.spin_is_held; });
+  scene.coordinates = read_coordinates(root, !scene.constraints.empty() || holds_spin, scene.stabilisation);
   scene.run.output_interval = scene.run.duration / 1000;
   if (root.has("integrator")) read_integrator(root.table("integrator"), scene.integrator, scene.run);
   if (root.has("output")) scene.energy_ledger = read_output(root.table("output"), scene.run);
@@ -198,8 +282,8 @@ SpatialScene spatial_scene(const SceneFile& file, const std::vector<SceneChange>
 }
 
 std::size_t ledger_works(const SpatialScene& scene) {
-  const bool damped =
-      std::any_of(scene.springs.begin(), scene.springs.end(), [](const auto& s) { return s.damping != 0; });
+  const auto& all = scene.springs;
+  const bool damped = std::any_of(all.begin(), all.end(), [](const auto& s) { return s.is_damped(); });
   return damped ? ledger_names.size() : ledger_terms;
 }
 

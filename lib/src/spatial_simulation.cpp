@@ -30,6 +30,7 @@ SpatialResolution resolution_of(const SpatialScene& scene) {
 detail::StiffnessMeasure measure_stiffness(const SpatialScene& scene, const PreparedSpatialScene& prepared) {
   SpatialScene pilot_scene = scene;
   pilot_scene.run = detail::pilot_settings(scene.run);
+  pilot_scene.run.knots = scene_knots(scene);
   pilot_scene.energy_ledger = false;
   const std::vector<double> tolerances = scene_tolerances(pilot_scene);
   SpatialOde<double> ode(prepared.system, false);
@@ -53,7 +54,9 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   SpatialOde<double> ode(prepared.system, scene.energy_ledger);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();
   const std::vector<double> tolerances = scene_tolerances(scene);
-  SpatialRun<double> run(ode, scene.run,
+  RunSettings settings = scene.run;
+  settings.knots = scene_knots(scene);
+  SpatialRun<double> run(ode, settings,
                          coordinates.independent ? independent_method(choice.name, scene, ode, scene.run, tolerances)
                                                  : method_of(choice.name, scene.run, tolerances, integrals),
                          coordinates.independent ? ConstraintUpkeep::by_accelerations : upkeep_of(scene),
@@ -75,7 +78,7 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   for (const auto& constraint : constraints) {
     if (!constraint.is_driver()) continue;
     result.driver_names.push_back(constraint.name);
-    result.driver_turns.push_back(std::holds_alternative<RotationalDriver<double>>(constraint.constraint));
+    result.driver_turns.push_back(!std::holds_alternative<TranslationalDriver<double>>(constraint.constraint));
   }
   const SpatialRecorder<double>& recorder = run.recorder();
   result.samples = recorder.samples();

@@ -5,11 +5,11 @@
 #include <mutex>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "lubjoint/film/compiled_laws.hpp"
+#include "lubjoint/text/message.hpp"
 #include "oracle/files/parallel.hpp"
 #include "oracle/reynolds/cavitated_film.hpp"
 #include "oracle/reynolds/circumferential_modes.hpp"
@@ -244,8 +244,7 @@ void state_error(CompiledFilm& film, Work& work, const TableCheck& check) {
 
 CompiledFilm compile_film(std::string_view name, double shape, const CompilerOptions& options) {
   if (!(shape >= least_compiled_shape && shape <= largest_compiled_shape)) {
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "length over diameter is " << shape << "; films of finite length are compiled for "
             << least_compiled_shape << " to " << largest_compiled_shape;
     throw std::invalid_argument(message.str());

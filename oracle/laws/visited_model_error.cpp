@@ -6,6 +6,7 @@
 #include "lubjoint/joint/kinematics.hpp"
 #include "lubjoint/multibody/joint_element.hpp"
 #include "lubjoint/scene/journal_scene.hpp"
+#include "lubjoint/scene/multibody_scene.hpp"  // knows that the laws' functions are compiled in the scene library
 #include "oracle/laws/median.hpp"
 #include "oracle/laws/model_error.hpp"
 #include "oracle/laws/model_error_words.hpp"

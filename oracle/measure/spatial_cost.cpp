@@ -179,7 +179,7 @@ void measure(const SpatialScene& scene, SceneCost& cost, Measurement& measuremen
                   });
 }
 
-/// The scene in a plane of no special kind; nothing if it has what there is only in the plane.
+/// The scene in a plane of no special kind; nothing if a body of it has no mass, which there is only in the plane.
 std::optional<SpatialScene> embedded(const Scene& flat, const Plane& plane) {
   try {
     SpatialScene scene = Embedding(plane).scene(flat);

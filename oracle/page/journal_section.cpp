@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "lubjoint/film/law_facts.hpp"
 #include "oracle/page/panel.hpp"
@@ -88,6 +89,43 @@ std::vector<const Verdict*> of_the_paper_verdicts(const Example1& example) {
   return verdicts;
 }
 
+/// Paths and forces of the journal with the film of the bearing's real length; nothing where they were not run.
+std::string real_film_panels(const Content& content) {
+  if (!content.real_films || content.real_films->journal.empty()) return {};
+  Example1 real{content.journal.load, {}};
+  for (const RealFilmJournal& item : content.real_films->journal) {
+    Example1Law law;
+    law.law = item.scene.joints.front().film;
+    law.scene = item.scene;
+    law.run = item.run;
+    law.rest = item.rest;
+    real.laws.push_back(std::move(law));
+  }
+  const Figure orbit = journal_orbit_figure(real);
+  const Figure horizontal = journal_force_figure(real, ForceComponent::horizontal);
+  const Figure vertical = journal_force_figure(real, ForceComponent::vertical);
+  std::vector<Panel> panels;
+  const auto add = [&](const Figure& figure, std::size_t i, const char* key, const char* quantity, int height) {
+    const Example1Law& item = real.laws[i];
+    const std::string words = law_words(item.law);
+    panels.push_back(
+        {"journal-" + item.law + key, words + ": " + quantity,
+         fmt::format("{}, {}: its equilibrium is at ε = {:.4f}.", quantity, words, item.rest.eccentricity_ratio),
+         alone(figure, figure.panels[i], 400, height)});
+  };
+  for (std::size_t i = 0; i < real.laws.size(); ++i) {
+    add(orbit, i, "-orbit", "path of the centre", 400);
+    add(horizontal, i, "-fx", "horizontal force", 300);
+    add(vertical, i, "-fy", "vertical force over the load", 300);
+  }
+  return "<article id=\"journal-real-film\">\n<h3>Figures 9 to 11 with the film of the bearing’s real length</h3>\n"
+         "<div class=\"words\">\n<p>Beside the paper’s laws, which take the bearing for short or long: Reynolds’ "
+         "equation at its L/D, as a full, a half and a dynamic film and with its free boundary. Where the film is "
+         "compared with the laws stands which of the paper’s conclusions change.</p>\n</div>\n"
+         "<div class=\"panels\">\n" +
+         draw_panels(panels) + "</div>\n</article>\n";
+}
+
 std::string sliding_words(const Example1& example) {
   std::string text;
   for (const Example1Law& item : example.laws) {
@@ -151,6 +189,7 @@ Section journal_section(const Content& content) {
            {"checked_11", checked_words(of_the_paper_verdicts(example),
                                         {"force", "force of each sample", "equilibrium carries the load"})},
            {"sliding", sliding_words(example)},
+           {"real_film", real_film_panels(content)},
            {"orbits", draw_panels(panels_of(orbit, example, 9, "Path of the journal’s centre", 400))},
            {"horizontal", draw_panels(panels_of(horizontal, example, 10, "Horizontal force on the journal", 300))},
            {"vertical", draw_panels(panels_of(vertical, example, 11, "Vertical force over the load", 300))},

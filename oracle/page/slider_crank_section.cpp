@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "oracle/page/panel.hpp"
 #include "oracle/page/sections.hpp"
@@ -77,21 +79,31 @@ const char* words_of(SliderCrankQuantity quantity) {
 /// Draws panels of the four quantities.
 class Drawer {
  public:
-  explicit Drawer(const Example2& example) : example_(example) {}
+  /// @param real  runs with the film of the bearing's real length, or none
+  Drawer(const Example2& example, std::vector<const MultibodyTrajectory*> real)
+      : example_(example), real_(std::move(real)) {}
 
   /// @param single  it stands alone, as wide as the text
   Panel panel(const std::string& id, const std::string& letter, SliderCrankQuantity quantity, const Parameters& set,
               bool single = false) const {
     const bool is_orbit = quantity == SliderCrankQuantity::orbit;
-    const Figure figure = slider_crank_figure(example_, quantity, single ? 1.5 : 1);
+    const Figure figure = slider_crank_figure(example_, quantity, single ? 1.5 : 1, real_);
     const std::size_t place = place_of(example_, set);
     const Example2Case& item = example_.cases[place];
     const std::string title =
         fmt::format("{}{}, c = {:g} mm, μ = {:g} Pa·s", letter, words_of(quantity), set.clearance, set.viscosity);
-    const std::string extremes = fmt::format(
+    std::string extremes = fmt::format(
         " over two revolutions: largest force {:.0f} N, largest eccentricity ratio {:.4f}, least film "
         "{:.3g} µm.",
         item.run.joints[0].force.value, largest_ratio(item), least_film(item));
+    if (!real_.empty()) {
+      const double farthest = real_[place]->joints[0].eccentricity.value;
+      extremes += fmt::format(
+          " Green, the film of the bearing’s real length: largest force {:.0f} N, largest eccentricity ratio {:.4f}, "
+          "least film {:.3g} µm.",
+          real_[place]->joints[0].force.value, farthest / item.scene.joints[0].clearance,
+          1e6 * (item.scene.joints[0].clearance - farthest));
+    }
     const int width = single ? 720 : 400;
     const int height = is_orbit ? (single ? 500 : 400) : (single ? 360 : 300);
     return {id, title, title + extremes, alone(figure, figure.panels[place], width, height)};
@@ -107,6 +119,7 @@ class Drawer {
 
  private:
   const Example2& example_;
+  std::vector<const MultibodyTrajectory*> real_;
 };
 
 std::string tables_of(const Example2& example) {
@@ -142,9 +155,15 @@ std::string tables_of(const Example2& example) {
 Section slider_crank_section(const Content& content) {
   using Quantity = SliderCrankQuantity;
   const Example2& example = content.slider_crank;
-  const Drawer drawer(example);
+  std::vector<const MultibodyTrajectory*> real;
+  if (content.real_films) real = drawn_runs(*content.real_films, example);
+  const char* const green = real.empty() ? ""
+                                         : " Green lines: the film of the bearing’s real length, with its free "
+                                           "boundary; below it stands which of the paper’s conclusions it changes.";
+  const Drawer drawer(example, std::move(real));
   const Example2Case& usual = case_of(example, base);
   Fields fields = {
+      {"green", green},
       {"ideal_force", fmt::format("{:.2f}", example.ideal_force)},
       {"ideal_moment", fmt::format("{:.2f}", example.ideal_moment)},
       {"repeat", fmt::format("{:.2f}", usual.repeat_difference)},

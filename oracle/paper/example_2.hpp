@@ -45,7 +45,9 @@ enum class SliderCrankQuantity { force, moment, orbit, film };
 
 /// The paper's figures 13 to 21 by quantity: a panel a parameter set, in the order of the cases.
 /// @param aspect  width over height of an orbit's panel
-Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect = 1);
+/// @param real  runs of the same cases with another film, drawn green beside them: one each, or none
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect = 1,
+                           const std::vector<const MultibodyTrajectory*>& real = {});
 
 /// Trajectories, the summary and the figures 13 to 21, into a folder. @returns the files written
 std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder);

@@ -14,14 +14,14 @@ namespace lubjoint::reports {
 
 namespace {
 
-/// One panel a parameter set; `script(item)` is what it plots.
+/// One panel a parameter set; `script(item, place)` is what it plots.
 template <class Script>
 Figure figure_of(const Example2& example, const std::string& title, const std::string& axes, const Script& script) {
   Figure figure{title, plain_axes + axes, {}};
-  for (const Example2Case& item : example.cases) {
-    const SceneJoint& joint = item.scene.joints[0];
+  for (std::size_t i = 0; i < example.cases.size(); ++i) {
+    const SceneJoint& joint = example.cases[i].scene.joints[0];
     figure.panels.push_back(
-        {fmt::format("c = {:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity), script(item)});
+        {fmt::format("c = {:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity), script(example.cases[i], i)});
   }
   return figure;
 }
@@ -42,10 +42,13 @@ const std::string lubricated = "$data with lines lw 1.3 lc rgb '#0072b2' notitle
 // Broad and below: seen where the film's curve lies on it, too.
 const std::string ideal_joint = "$ideal with lines lw 5 lc rgb '#e69f00' notitle";
 
-std::vector<PlotPoint> orbit_places(const Example2Case& item) {
+// Above and thin.
+const std::string of_real_film = "$real with lines lw 1.3 lc rgb '#009e73' notitle";
+
+std::vector<PlotPoint> orbit_places(const Example2Case& item, const MultibodyTrajectory& run) {
   const double c = item.scene.joints[0].clearance;
   std::vector<PlotPoint> places;
-  for (const MultibodySample& s : item.run.samples) {
+  for (const MultibodySample& s : run.samples) {
     places.push_back({s.joints[0].eccentricity.x() / c, s.joints[0].eccentricity.y() / c});
   }
   return places;
@@ -53,7 +56,8 @@ std::vector<PlotPoint> orbit_places(const Example2Case& item) {
 
 }  // namespace
 
-Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect) {
+Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity, double aspect,
+                           const std::vector<const MultibodyTrajectory*>& real) {
   if (example.cases.empty()) return {};
   const double speed = crank_speed_of(example.cases.front().scene);
   const auto mechanism = slider_crank_of(example.cases.front().scene);
@@ -61,41 +65,51 @@ Figure slider_crank_figure(const Example2& example, SliderCrankQuantity quantity
   const auto closed = [&](const MultibodySample& s) {
     return mechanisms::ideal_reactions<double>(mechanism, {speed * s.t, speed, 0});
   };
-  const auto ideal = [&](const auto& value) {
-    return block("ideal", example.ideal.samples, [&](const auto& s) { return std::pair(angle(s), value(s)); });
+  const auto curve = [&](const char* name, const std::vector<MultibodySample>& samples, const auto& value) {
+    return block(name, samples, [&](const auto& s) { return std::pair(angle(s), value(s)); });
+  };
+  /// Data of a case by value(sample), with the other film's, then the plot: first, both curves, last.
+  const auto both = [&](const Example2Case& item, std::size_t place, const auto& value, const std::string& before,
+                        const std::string& after) {
+    std::string script = curve("data", item.run.samples, value);
+    if (!real.empty()) script += curve("real", real[place]->samples, value);
+    return script + "plot " + before + lubricated + (real.empty() ? "" : ", " + of_real_film) + after + "\n";
+  };
+  const auto against_ideal = [&](const Example2Case& item, std::size_t place, const auto& ideal, const auto& value) {
+    return curve("ideal", example.ideal.samples, ideal) + both(item, place, value, ideal_joint + ", ", "");
   };
   switch (quantity) {
     case SliderCrankQuantity::force:
-      return figure_of(
-          example, "Force in the gudgeon pin (broad: ideal joint)", against_angle + "set ylabel '|F| [kN]'\n",
-          [&](const Example2Case& item) {
-            return ideal([&](const auto& s) { return closed(s).gudgeon_pin.norm() / 1e3; }) +
-                   block("data", item.run.samples,
-                         [&](const auto& s) { return std::pair(angle(s), s.joints[0].force.norm() / 1e3); }) +
-                   "plot " + ideal_joint + ", " + lubricated + "\n";
-          });
+      return figure_of(example, "Force in the gudgeon pin (broad: ideal joint)",
+                       against_angle + "set ylabel '|F| [kN]'\n", [&](const Example2Case& item, std::size_t place) {
+                         return against_ideal(
+                             item, place, [&](const auto& s) { return closed(s).gudgeon_pin.norm() / 1e3; },
+                             [](const auto& s) { return s.joints[0].force.norm() / 1e3; });
+                       });
     case SliderCrankQuantity::moment:
       return figure_of(example, "Driving moment on the crank (broad: ideal joint)",
-                       against_angle + "set ylabel 'M [N·m]'\n", [&](const Example2Case& item) {
-                         return ideal([&](const auto& s) { return closed(s).driving_moment; }) +
-                                block("data", item.run.samples,
-                                      [&](const auto& s) { return std::pair(angle(s), s.driving_moments[0]); }) +
-                                "plot " + ideal_joint + ", " + lubricated + "\n";
+                       against_angle + "set ylabel 'M [N·m]'\n", [&](const Example2Case& item, std::size_t place) {
+                         return against_ideal(
+                             item, place, [&](const auto& s) { return closed(s).driving_moment; },
+                             [](const auto& s) { return s.driving_moments[0]; });
                        });
     case SliderCrankQuantity::orbit:
-      return figure_of(
-          example, std::string("Journal centre, e/c (") + orbit_words + ")", orbit_axes,
-          [&](const Example2Case& item) { return orbit_script(orbit_places(item), std::nullopt, aspect); });
+      return figure_of(example, std::string("Journal centre, e/c (") + orbit_words + ")", orbit_axes,
+                       [&](const Example2Case& item, std::size_t place) {
+                         std::vector<PlotPoint> other;
+                         if (!real.empty()) other = orbit_places(item, *real[place]);
+                         return orbit_script(orbit_places(item, item.run), std::nullopt, aspect, other);
+                       });
     case SliderCrankQuantity::film:
       break;
   }
-  return figure_of(
-      example, "Film thickness (dashed: safe film, 3 µm)",
-      against_angle + "set ylabel 'h_{min} [µm]'\nset logscale y\nset format y '%g'\n", [&](const Example2Case& item) {
-        return block("data", item.run.samples,
-                     [&](const auto& s) { return std::pair(angle(s), 1e6 * s.joints[0].film_thickness); }) +
-               "plot " + lubricated + ", 3 with lines lw 1.2 dt 2 lc rgb '#d55e00' notitle\n";
-      });
+  return figure_of(example, "Film thickness (dashed: safe film, 3 µm)",
+                   against_angle + "set ylabel 'h_{min} [µm]'\nset logscale y\nset format y '%g'\n",
+                   [&](const Example2Case& item, std::size_t place) {
+                     return both(
+                         item, place, [](const auto& s) { return 1e6 * s.joints[0].film_thickness; }, "",
+                         ", 3 with lines lw 1.2 dt 2 lc rgb '#d55e00' notitle");
+                   });
 }
 
 std::vector<std::string> write_example_2(const Example2& example, const std::filesystem::path& folder) {

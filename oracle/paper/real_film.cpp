@@ -197,6 +197,20 @@ RealFilms run_real_films(const std::filesystem::path& scenes, SceneFilms& films)
   return result;
 }
 
+std::vector<const MultibodyTrajectory*> drawn_runs(const RealFilms& films, const Example2& example) {
+  std::vector<const MultibodyTrajectory*> runs;
+  for (const Example2Case& wanted : example.cases) {
+    const SceneJoint& joint = wanted.scene.joints.front();
+    const auto found = std::ranges::find_if(films.crank, [&](const RealFilmCrank& each) {
+      const SceneJoint& other = each.scene.joints.front();
+      return other.film == drawn_film && other.clearance == joint.clearance && other.viscosity == joint.viscosity;
+    });
+    if (found == films.crank.end()) return {};
+    runs.push_back(&found->run);
+  }
+  return runs;
+}
+
 std::string pair_of(const SceneJoint& joint) {
   return fmt::format("{:g} mm, {:g} Pa s", 1e3 * joint.clearance, joint.viscosity);
 }

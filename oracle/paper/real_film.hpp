@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lubjoint/scene/equilibrium.hpp"
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/laws/scene_films.hpp"
+#include "oracle/paper/example_2.hpp"
 #include "oracle/results/check.hpp"
 
 namespace lubjoint::reports {
@@ -74,6 +76,12 @@ Check solved_force_check(const Scene& scene, const MultibodyTrajectory& run);
 
 /// What a run's joint is off beyond its table, at the output times; nothing where it stays within.
 std::optional<BeyondTable> beyond_table(const Scene& scene, const MultibodyTrajectory& run);
+
+/// The film that both examples are drawn with beside the paper's: Reynolds' equation with its free boundary.
+inline constexpr std::string_view drawn_film = "finite_reynolds";
+
+/// The runs of example 2's cases with that film, in their order; none where one of them was not made.
+std::vector<const MultibodyTrajectory*> drawn_runs(const RealFilms& films, const Example2& example);
 
 /// The tables that people read.
 std::string real_films_table(const RealFilms& films);

@@ -75,11 +75,18 @@ OrbitWindow orbit_window(const std::vector<PlotPoint>& places, double aspect) {
   return whole;
 }
 
-std::string orbit_script(const std::vector<PlotPoint>& places, const std::optional<PlotPoint>& rest, double aspect) {
-  const OrbitWindow w = orbit_window(places, aspect);
-  std::string script = "$data << EOD\n";
-  for (const PlotPoint& p : places) script += fmt::format("{:.7g} {:.7g}\n", p[0], p[1]);
-  script += "EOD\n";
+std::string orbit_script(const std::vector<PlotPoint>& places, const std::optional<PlotPoint>& rest, double aspect,
+                         const std::vector<PlotPoint>& other) {
+  std::vector<PlotPoint> all = places;
+  all.insert(all.end(), other.begin(), other.end());
+  const OrbitWindow w = orbit_window(all, aspect);
+  const auto block = [](const char* name, const std::vector<PlotPoint>& points) {
+    std::string data = fmt::format("${} << EOD\n", name);
+    for (const PlotPoint& p : points) data += fmt::format("{:.7g} {:.7g}\n", p[0], p[1]);
+    return data + "EOD\n";
+  };
+  std::string script = block("data", places);
+  if (!other.empty()) script += block("other", other);
   const auto [x, y] = w.centre;
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", x - w.half_width, x + w.half_width,
                         y - w.half_height, y + w.half_height);
@@ -89,6 +96,7 @@ std::string orbit_script(const std::vector<PlotPoint>& places, const std::option
   std::string plot =
       "plot cos(t),sin(t) with lines lw 1 lc rgb '#555555' notitle, "
       "$data with lines lw 1.5 lc rgb '#0072b2' notitle";
+  if (!other.empty()) plot += ", $other with lines lw 1.3 lc rgb '#009e73' notitle";
   if (w.has_inset) {
     const auto small = [&](double px, double py) {
       return fmt::format("{:.6g} {:.6g}\n", w.inset[0] + w.inset_radius * px, w.inset[1] + w.inset_radius * py);

@@ -26,7 +26,9 @@ struct OrbitWindow {
 OrbitWindow orbit_window(const std::vector<PlotPoint>& places, double aspect = 1);
 
 /// Script of a panel: the orbit, the clearance circle where it is in sight, the inset, a cross at the point of rest.
-std::string orbit_script(const std::vector<PlotPoint>& places, const std::optional<PlotPoint>& rest, double aspect = 1);
+/// @param other  places of another orbit, drawn green, or none
+std::string orbit_script(const std::vector<PlotPoint>& places, const std::optional<PlotPoint>& rest, double aspect = 1,
+                         const std::vector<PlotPoint>& other = {});
 
 /// Axes of such panels.
 extern const char* const orbit_axes;

@@ -3,7 +3,8 @@
 #include <gsl/gsl_errno.h>
 
 #include <cmath>
-#include <sstream>
+
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint::oracle {
 
@@ -12,8 +13,7 @@ void disable_gsl_abort() { [[maybe_unused]] static const auto previous = gsl_set
 namespace {
 
 std::string number(double x) {
-  std::ostringstream text;
-  text.precision(17);
+  Message text;
   text << x;
   return text.str();
 }

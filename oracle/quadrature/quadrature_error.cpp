@@ -1,7 +1,8 @@
 #include "oracle/quadrature/quadrature_error.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint::oracle {
 
@@ -14,16 +15,14 @@ constexpr int before_tolerance = 14;
 }  // namespace
 
 void fail(int code, const Request& request, const std::string& reason) {
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << request.rule << " on [" << request.from << ", " << request.to << "] to relative tolerance "
           << request.tolerance.relative << ", absolute " << request.tolerance.absolute << ": " << reason;
   throw QuadratureError(code, message.str());
 }
 
 std::string best_value_words(const Estimate& best) {
-  std::ostringstream text;
-  text.precision(17);
+  Message text;
   text << "; the best value is " << best.value << " with error " << best.error;
   return text.str();
 }

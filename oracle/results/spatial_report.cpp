@@ -179,7 +179,7 @@ std::string summary_text(const SpatialScene& scene, const SpatialTrajectory& run
     text += fmt::format("reaction     {}: {}\n", scene.constraints[reaction.constraint].name, reaction_words(reaction));
   }
   text += sensors_text(scene.sensors, run.sensors);
-  if (!scene.constraints.empty()) {
+  if (run.rows > 0) {
     text += fmt::format(
         "constraints  {} rows of rank {}, drift {:.1e} m or rad, {:.1e} per second, Euler parameters {:.1e}; start "
         "moved by {:.1e} m, {:.1e} rad, {:.1e} m/s, {:.1e} rad/s\n",

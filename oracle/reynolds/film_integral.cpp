@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lubjoint/text/message.hpp"
 #include "oracle/quadrature/quadrature_error.hpp"
 #include "oracle/reynolds/film_edges.hpp"
 #include "oracle/reynolds/film_sums.hpp"
@@ -21,8 +22,7 @@ using std::numbers::pi;
 constexpr double smallest_q = 1e-40;  // H^-3 and its integrals stay far from overflow
 
 std::string described(std::string_view what, const OneDimensionalFilmEntry& entry, const PolarFilmState<double>& s) {
-  std::ostringstream text;
-  text.precision(17);
+  Message text;
   text << what << " of the film " << entry.name << " at eccentricity_ratio " << s.eccentricity_ratio << ", q " << s.q
        << ", slip_rate " << s.slip_rate << " 1/s, squeeze_rate " << s.squeeze_rate << " 1/s";
   return text.str();

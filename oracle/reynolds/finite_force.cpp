@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint::oracle {
 
@@ -16,8 +17,7 @@ namespace {
 
 void require_shape(double length_to_diameter) {
   if (length_to_diameter > 0 && std::isfinite(length_to_diameter)) return;
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << "length over diameter is " << length_to_diameter << "; allowed is a finite number above 0";
   throw std::invalid_argument(message.str());
 }

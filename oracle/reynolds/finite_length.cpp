@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "lubjoint/film/extent.hpp"
+#include "lubjoint/text/message.hpp"
 #include "oracle/reynolds/cavitated_film.hpp"
 #include "oracle/reynolds/circumferential_modes.hpp"
 #include "oracle/reynolds/smooth_film.hpp"
@@ -68,8 +68,7 @@ bool is_pinned(const ScaledFilm& film, FilmOnset onset) {
 template <class T>
 void require_between(const char* name, T given, T lowest, T highest) {
   if (given >= lowest && given <= highest) return;
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << name << " is " << given << "; allowed is " << lowest << " to " << highest;
   throw std::invalid_argument(message.str());
 }

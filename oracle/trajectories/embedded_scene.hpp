@@ -1,8 +1,10 @@
 /// A scene of the plane as one in space: its plane is turned and shifted, and may move.
 #pragma once
 
+#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "lubjoint/scene/spatial_scene.hpp"
@@ -34,7 +36,7 @@ class Embedding {
  public:
   explicit Embedding(Plane plane) : plane_(std::move(plane)) {}
 
-  /// @throws std::invalid_argument  a scene with what there is only in the plane
+  /// A table of time that is read later than the run begins is not for space.
   SpatialScene scene(const Scene& flat) const {
     SpatialScene space;
     space.file = flat.file;
@@ -53,7 +55,6 @@ class Embedding {
     }
     for (const SceneLoad& load : flat.loads) {
       SpatialSceneLoad in_space;
-      if (load.unbalance || load.table) throw std::invalid_argument("unbalances and tables are not for space");
       in_space.body = load.body;
       in_space.force =
           load.turns_with_body ? Vector3<double>(load.force.x(), load.force.y(), 0) : plane_.vector(load.force);
@@ -62,6 +63,15 @@ class Embedding {
       in_space.point = {load.point.x(), load.point.y(), 0};
       in_space.turns_with_body = load.turns_with_body;
       in_space.harmonic = load.harmonic;
+      if (load.unbalance) {
+        const double size = load.unbalance->mass_radius;
+        in_space.unbalance =
+            Vector3<double>(size * std::cos(load.unbalance->phase), size * std::sin(load.unbalance->phase), 0);
+      }
+      if (load.table) {
+        in_space.table = SpatialSceneTable{curves(*load.table->curves, load.turns_with_body), load.table->of_angle};
+        if (load.table->of_angle) in_space.table->angle = add_angle(flat, ground_body, load.table->against, space);
+      }
       space.loads.push_back(in_space);
     }
     for (const SceneJoint& joint : flat.joints) {
@@ -75,11 +85,17 @@ class Embedding {
           constraint({held_spin_name(body), Driver<double>{ground_body, b, body.angle, body.spin, 0}}));
     }
     for (const SceneSpring& each : flat.springs) {
-      const auto* translational = std::get_if<TranslationalSpring<double>>(&each.spring);
-      if (translational == nullptr) throw std::invalid_argument("springs about an axis are not for space");
-      const TranslationalSpring<double>& spring = *translational;
-      space.springs.push_back({each.name, point(spring.first), point(spring.second), spring.stiffness, spring.damping,
-                               spring.free_length, spring.preload});
+      if (const auto* about = std::get_if<RotationalSpring<double>>(&each.spring)) {
+        const std::size_t angle = add_angle(flat, about->first, about->second, space);
+        space.springs.push_back(
+            {each.name, SpatialRotationalSpring<double>{angle, about->first, about->second, about->stiffness,
+                                                        about->damping, about->free_angle}});
+        continue;
+      }
+      const auto& spring = std::get<TranslationalSpring<double>>(each.spring);
+      space.springs.push_back(
+          {each.name, SpatialTranslationalSpring<double>{point(spring.first), point(spring.second), spring.stiffness,
+                                                         spring.damping, spring.free_length, spring.preload}});
     }
     space.stabilisation = flat.stabilisation;
     space.energy_ledger = flat.energy_ledger;
@@ -126,6 +142,33 @@ class Embedding {
     const Matrix3<double> a = rotation_matrix(plane_.orientation);
     return {{plane_.place(at.point), product(a, axis), product(a, across)}, ground_body};
   }
+  /// φ_j − φ_i, as the plane counts it. @returns its number
+  std::size_t add_angle(const Scene& flat, std::size_t first, std::size_t second, SpatialScene& space) const {
+    const auto angle = [&](std::size_t body) { return body == ground_body ? 0 : flat.bodies[body].angle; };
+    const double turn = 2 * pi<double>();
+    const double zero = turn * std::round((angle(second) - angle(first)) / turn);
+    space.angles.push_back({axes({first, {0, 0}}), axes({second, {0, 0}}), zero});
+    return space.angles.size() - 1;
+  }
+  /// F_x, F_y and M of the plane, inertial or of a body, as six quantities of space.
+  std::shared_ptr<const TableCurves<6>> curves(const TableCurves<3>& flat, bool of_body) const {
+    using Cubic = TableCurves<6>::Cubic;
+    const Vector3<double> x = of_body ? Vector3<double>(1, 0, 0) : plane_.vector({1, 0});
+    const Vector3<double> y = of_body ? Vector3<double>(0, 1, 0) : plane_.vector({0, 1});
+    const Vector3<double> n = of_body ? Vector3<double>(0, 0, 1) : plane_.normal();
+    std::vector<std::array<Cubic, 6>> pieces;
+    for (const auto& piece : flat.pieces()) {
+      pieces.emplace_back();
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto i = static_cast<Eigen::Index>(k);
+          pieces.back()[k][c] = piece[0][c] * x(i) + piece[1][c] * y(i);
+          pieces.back()[3 + k][c] = piece[2][c] * n(i);
+        }
+      }
+    }
+    return std::make_shared<const TableCurves<6>>(flat.knots(), std::move(pieces), flat.is_periodic());
+  }
   SpatialBodyPoint<double> point(const SceneAnchor& at) const { return {at.body, axes(at).point}; }
 
   SpatialSceneConstraint constraint(const SceneConstraint& flat) const {
@@ -149,18 +192,13 @@ class Embedding {
             {in.axes(guide.first, along, {0, 0, 1}), in.axes(guide.second, from_second, {0, 0, 1})}};
       }
       AnySpatialConstraint<double> operator()(const Driver<double>& driver) const {
-        require_plain(driver.shape != nullptr);
         return RotationalDriver<double>{{in.axes({driver.first, {0, 0}}), in.axes({driver.second, {0, 0}})},
-                                        {driver.angle, driver.speed, driver.acceleration}};
+                                        {driver.angle, driver.speed, driver.acceleration, driver.shape}};
       }
       AnySpatialConstraint<double> operator()(const SlideDriver<double>& driver) const {
-        require_plain(driver.shape != nullptr);
         const Vector3<double> along(driver.axis.x(), driver.axis.y(), 0);
         return TranslationalDriver<double>{{in.axes(driver.first, along, {0, 0, 1}), in.axes(driver.second)},
-                                           {driver.position, driver.speed, driver.acceleration}};
-      }
-      static void require_plain(bool shaped) {
-        if (shaped) throw std::invalid_argument("a driver in space follows no table and no oscillation");
+                                           {driver.position, driver.speed, driver.acceleration, driver.shape}};
       }
     };
     return {flat.name, std::visit(Converter{*this}, flat.constraint)};

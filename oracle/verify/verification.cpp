@@ -290,25 +290,29 @@ bool Verification::accepted() const {
          std::pow(10.0, -digits.digits) <= settings.tolerance;
 }
 
+void require_law(Quantities quantities, const std::string& law) {
+  if (law == "auto") return;
+  const Law named = law_of(law);
+  if (has_answers(quantities, named)) return;
+  if (is_contact_law(named) || quantities == Quantities::contact) {
+    throw std::invalid_argument("law " + law + " and --quantities " + std::string(name_of(quantities)) +
+                                " do not go together; allowed with contact are auto, lankarani_nikravesh, "
+                                "hunt_crossley, flores, gonthier, and these with contact alone");
+  }
+  if (is_of_load(quantities)) {
+    throw std::invalid_argument("a journal in a film of the squeeze alone, such as " + law +
+                                ", carries no load at rest: --quantities " + std::string(name_of(quantities)) +
+                                " allows every other law");
+  }
+  throw std::invalid_argument("law " + law + " is not the integral of any pressure field: --quantities " +
+                              std::string(name_of(quantities)) + " allows every other law");
+}
+
 Verification verify_answers(Quantities quantities, const std::string& law, std::vector<State> states, Answers answers,
                             const VerifySettings& settings) {
+  require_law(quantities, law);
   if (law == "auto") return best_law(quantities, states, answers, settings);
-  const Law named = law_of(law);
-  if (!has_answers(quantities, named)) {
-    if (is_contact_law(named) || quantities == Quantities::contact) {
-      throw std::invalid_argument("law " + law + " and --quantities " + std::string(name_of(quantities)) +
-                                  " do not go together; allowed with contact are auto, lankarani_nikravesh, "
-                                  "hunt_crossley, flores, gonthier, and these with contact alone");
-    }
-    if (is_of_load(quantities)) {
-      throw std::invalid_argument("a journal in a film of the squeeze alone, such as " + law +
-                                  ", carries no load at rest: --quantities " + std::string(name_of(quantities)) +
-                                  " allows every other law");
-    }
-    throw std::invalid_argument("law " + law + " is not the integral of any pressure field: --quantities " +
-                                std::string(name_of(quantities)) + " allows every other law");
-  }
-  return made(quantities, named, states, answers, settings, SearchDepth::triples);
+  return made(quantities, law_of(law), states, answers, settings, SearchDepth::triples);
 }
 
 std::string next_step(const Verification& v) {

@@ -45,6 +45,9 @@ struct Verification {
   bool accepted() const;         ///< exit status 0
 };
 
+/// @throws std::invalid_argument for a law that is not there, or that has no such quantities; "auto" is any
+void require_law(Quantities quantities, const std::string& law);
+
 /// Judges answers against a law, or against every law for "auto": the one that domain, terms and mistakes leave least
 /// unexplained.
 /// @throws std::invalid_argument for a law that is not there, or that has no such quantities

@@ -276,6 +276,11 @@ assert lubjoint.verify(lambda **s: short_full(**{**s, "omega": abs(s["omega"])})
 nearly = lubjoint.verify(lambda **s: [x * (1 + 1e-7) for x in short_full(**s)], "short_full", "polar", tolerance=1e-6)
 assert nearly and nearly["accepted"], nearly
 assert len(lubjoint.states("cartesian", at_most=12)["ex"]) == 12
+try:
+    lubjoint.states("cartesian", law="foo")
+    raise AssertionError("states of a law that is not there")
+except ValueError as error:
+    assert "foo" in str(error), error
 
 # Without dimensions, in the program's own unit, S omega/4; and a mistake in it.
 own_unit = {"law": "short_dynamic", "quantities": "dimensionless", "unit": 0.25, "vectorized": False, "random": 100}

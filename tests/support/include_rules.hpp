@@ -86,11 +86,11 @@ inline bool is_film_geometry(const std::string& file) {
 /// Height of a folder, if it has one: arrows run down. ode knows no mechanics, files nothing at all.
 inline std::optional<int> height_of(const std::string& folder) {
   static const std::map<std::string, int> heights = {
-      {"oracle/files", -2},       {"number", -1},      {"film", 0},           {"joint", 1},
-      {"multibody", 2},           {"run", 2},          {"motion", 3},         {"scene", 4},
-      {"oracle/verify", 5},       {"oracle/plot", 5},  {"oracle/results", 6}, {"oracle/laws", 7},
-      {"oracle/trajectories", 7}, {"oracle/sweep", 7}, {"oracle/paper", 8},   {"oracle/measure", 8},
-      {"oracle/page", 9},         {"oracle/cli", 10}};
+      {"text", -2},          {"oracle/files", -2},       {"number", -1},      {"film", 0},
+      {"joint", 1},          {"multibody", 2},           {"run", 2},          {"motion", 3},
+      {"scene", 4},          {"oracle/verify", 5},       {"oracle/plot", 5},  {"oracle/results", 6},
+      {"oracle/laws", 7},    {"oracle/trajectories", 7}, {"oracle/sweep", 7}, {"oracle/paper", 8},
+      {"oracle/measure", 8}, {"oracle/page", 9},         {"oracle/cli", 10}};
   const auto found = heights.find(folder);
   return found == heights.end() ? std::nullopt : std::optional<int>(found->second);
 }
@@ -119,7 +119,8 @@ inline std::string objection(const std::string& from, const std::string& to) {
   if (independent.contains(folder)) {
     if (target == "film" && !is_film_geometry(to)) return "what checks the force laws may not see one";
     const bool of_library = !target.starts_with("oracle/");
-    if (of_library && target != "film" && target != "number") return "it may see only film state and geometry";
+    if (of_library && target != "film" && target != "number" && target != "text")
+      return "it may see only film state and geometry";
   }
   static const std::set<std::string> machinery = {"joint", "multibody", "ode", "run", "motion", "scene"};
   if (folder == "oracle/mechanisms" && machinery.contains(target)) return "it is the check of " + target;

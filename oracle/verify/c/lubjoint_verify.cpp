@@ -13,6 +13,7 @@
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
+#include "oracle/verify/verification.hpp"
 
 namespace {
 
@@ -63,6 +64,7 @@ std::vector<State> asked(const lubjoint_verify_request* request) {
     states = finite_states(kind, declared(request));
   } else {
     if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
+    if (request->law != nullptr) require_law(kind, request->law);
     states = states_to_verify(kind, request->golden, request->random, request->seed, declared(request));
     const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
     for (State& state : states) {

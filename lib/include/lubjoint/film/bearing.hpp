@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "lubjoint/number/scalar.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -15,8 +15,7 @@ template <class R>
 void require_positive(const char* name, const R& given, const char* unit) {
   using std::isfinite;
   if (isfinite(given) && given > 0) return;
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << name << " is " << given << " " << unit << "; allowed is a finite number above 0";
   throw std::invalid_argument(message.str());
 }
@@ -33,8 +32,7 @@ class Bearing {
     detail::require_positive("radius", radius, "m");
     detail::require_positive("clearance", clearance, "m");
     if (clearance < radius) return;
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "clearance is " << clearance << " m; allowed is less than the journal radius, " << radius << " m";
     throw std::invalid_argument(message.str());
   }

@@ -12,6 +12,7 @@
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/film/rotor_threshold.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -52,8 +53,7 @@ struct SteadyPlace {
   /// For a caller that knows q better than ε can say.
   SteadyPlace(const R& epsilon, const R& known_q) : eccentricity_ratio(epsilon), q(known_q) {
     if (epsilon > 0 && epsilon < 1 && q > 0) return;
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "no steady state at eccentricity ratio " << epsilon << "; allowed are ratios above 0 and below 1";
     throw FilmDomainError(message.str());
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lubjoint/film/shaped_law.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -89,8 +90,7 @@ void require_shape_of(const Law& law, const Bearing<R>& bearing) {
   using std::abs;
   const R shape = length_to_diameter(bearing);
   if (abs(R(shape - law.shape())) <= R(1e-12) * shape) return;  // four roundings of doubles, many times
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << "the law " << Law::name << " is compiled for length over diameter " << law.shape() << ", the bearing has "
           << shape;
   throw std::invalid_argument(message.str());

@@ -1,10 +1,10 @@
 /// What a film force depends on: where the journal is in its clearance circle, and how it moves there.
 #pragma once
 
-#include <sstream>
 #include <stdexcept>
 
 #include "lubjoint/number/vector.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -48,8 +48,7 @@ struct FilmState {
   void check() const {
     using std::isfinite;
     if (value_of(q) > 0 && isfinite(value_of(velocity.x())) && isfinite(value_of(velocity.y()))) return;
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "no film at eccentricity (" << value_of(eccentricity.x()) << ", " << value_of(eccentricity.y())
             << ") clearances and pure-squeeze velocity (" << value_of(velocity.x()) << ", " << value_of(velocity.y())
             << ") 1/s; allowed are eccentricity ratios in [0, 1) and finite velocities";
@@ -75,8 +74,7 @@ struct PolarFilmState {
     using std::isfinite;
     const bool inside = value_of(epsilon) >= 0 && value_of(epsilon) <= 1 && value_of(q) > 0;
     if (inside && isfinite(value_of(a)) && isfinite(value_of(b))) return;
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "no film at eccentricity_ratio " << value_of(epsilon) << ", slip_rate " << value_of(a)
             << " 1/s, squeeze_rate " << value_of(b)
             << " 1/s; allowed are eccentricity ratios in [0, 1) and finite rates";

@@ -15,12 +15,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/film/squeeze_only.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -255,8 +255,7 @@ template <class R>
 void require_mobility_state(const Vector2<R>& e_hat, const R& q, const Vector2<R>& force) {
   using std::isfinite;
   if (!(q > 0) || !isfinite(force.x()) || !isfinite(force.y())) {
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "no mobility at eccentricity (" << e_hat.x() << ", " << e_hat.y()
             << ") clearances and force over scale (" << force.x() << ", " << force.y()
             << ") 1/s; allowed are eccentricity ratios in [0, 1) and finite forces";

@@ -4,6 +4,7 @@
 #include "lubjoint/film/shaped_law.hpp"
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/joint/transition.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -14,8 +15,7 @@ void require_contact(const ContactSurface<R>& surface, const R& impact_speed) {
   detail::require_positive("contact_stiffness", surface.stiffness, "N/m^1.5");
   detail::require_positive("impact_speed", impact_speed, "m/s");
   if (surface.restitution >= 0 && surface.restitution <= 1) return;
-  std::ostringstream message;
-  message.precision(17);
+  Message message;
   message << "restitution is " << surface.restitution << "; allowed is a number from 0 to 1";
   throw std::invalid_argument(message.str());
 }

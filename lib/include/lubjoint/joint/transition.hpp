@@ -1,10 +1,10 @@
 /// From the film to the dry contact and back.
 #pragma once
 
-#include <sstream>
 #include <stdexcept>
 
 #include "lubjoint/number/vector.hpp"
+#include "lubjoint/text/message.hpp"
 
 namespace lubjoint {
 
@@ -17,8 +17,7 @@ struct TransitionTolerances {
   /// @throws std::invalid_argument unless 0 < e0 < e1
   TransitionTolerances(const R& blend, const R& widening) : e0(blend), e1(widening) {
     if (e0 > 0 && e1 > e0) return;
-    std::ostringstream message;
-    message.precision(17);
+    Message message;
     message << "transition e0 is " << e0 << " m and e1 is " << e1 << " m; allowed are 0 < e0 < e1";
     throw std::invalid_argument(message.str());
   }

@@ -54,6 +54,29 @@ struct InPlane {
   static Orientation orientation(const Frame<R>& frame) { return {frame.cosine, frame.sine}; }  ///< of a frame
   static Frame<R> ground() { return Frame<R>(ground_motion<R>()); }                             ///< a frame at rest
 
+  /// Displacements are counted along the inertial axes.
+  struct Directions {
+    template <class Row>
+    const Row& of(const Row& row, std::size_t, std::size_t) const {
+      return row;
+    }
+    template <class V>
+    void to_inertial(V*) const {}
+    template <class V>
+    void from_inertial(V*) const {}
+    template <class X>
+    auto component(std::size_t i, const X& x) const {
+      return x(i);
+    }
+    template <class V, class Add>
+    void add(std::size_t i, const V& value, const Add& add_to) const {
+      add_to(i % velocities, value);
+    }
+    template <class Visit>
+    void for_each_turned(const Visit&) const {}
+  };
+  static Directions directions(const Chart&) { return {}; }  ///< of a chart
+
   // Rows of Φ in A.
 
   static std::size_t constraint_rows(const System& system) { return system.constraint_rows(); }  ///< of A
@@ -61,14 +84,15 @@ struct InPlane {
   static std::size_t system_row(const System&, std::size_t row) { return row; }
 
   /// Evaluates a constraint at the frames and hands each of its rows to keep(its number in A, row).
-  template <class Keep>
-  static void for_each_row(const System& system, std::size_t c, const R& t, const Workspace<R>& w, const Keep& keep) {
+  template <class T, class Time, class Keep>
+  static void for_each_row(const System& system, std::size_t c, const Time& t, const Workspace<T>& w,
+                           const Keep& keep) {
     const std::size_t row = system.first_row(c);
-    const Frame<R>& first = system.frame(system.first_body_of_row(row), w);
-    const Frame<R>& second = system.frame(system.second_body_of_row(row), w);
+    const Frame<T>& first = system.frame(system.first_body_of_row(row), w);
+    const Frame<T>& second = system.frame(system.second_body_of_row(row), w);
     std::visit(
         [&]<class Constraint>(const Constraint& constraint) {
-          std::array<Row<R>, Constraint::rows> from;
+          std::array<Row<T>, Constraint::rows> from;
           constraint.evaluate(first, second, t, from.data());
           for (std::size_t i = 0; i < Constraint::rows; ++i) keep(row + i, from[i]);
         },
@@ -81,7 +105,7 @@ struct InPlane {
   static void normalise(std::size_t, R*) {}
   /// Moves the places of a part by its displacements by(i).
   template <class By>
-  static void displace(const Part& part, const By& by, R* q) {
+  static void displace(const Chart&, const Part& part, const By& by, R* q) {
     for (std::size_t i = 0; i < part.size(); ++i) q[part.columns[i]] += by(i);
   }
   /// A displacement of velocity i in the size of its coordinate.

@@ -15,13 +15,20 @@
 namespace lubjoint {
 
 /// p of a body that is turned further by θ′, a rotation vector in its frame, and |p| = 1: exact to the seventh power of
-/// |θ′|, without trigonometry.
+/// |θ′|, without trigonometry, up to 1 rad; exact beyond.
 ///   p ∝ p + ½Lᵀθ′ τ,   τ = tan(½|θ′|)/(½|θ′|) = 1 + |θ′|²/12 + |θ′|⁴/120 + …
 template <class R>
 EulerParameters<R> turned(const EulerParameters<R>& p, const Vector3<R>& by) {
   using std::abs;
+  using std::cos;
+  using std::sin;
   using std::sqrt;
   const R square = dot(by, by);
+  if (square > 1) {
+    const R half = sqrt(square) / 2;
+    const EulerParameters<R> rate = euler_rate(p, by);
+    return normalised(EulerParameters<R>(R(cos(half)) * p + R(sin(half) / half) * rate));
+  }
   const EulerParameters<R> next = p + euler_rate(p, scaled(R(1 + square / 12 * (1 + square / 10)), by));
   const R size = next(0) * next(0) + next(1) * next(1) + next(2) * next(2) + next(3) * next(3);
   // Nearly 1 at the end of a search: there the series of 1/√size, whose next term is below rounding.
@@ -55,6 +62,8 @@ struct InSpace {
   static Orientation orientation(const Frame<R>&) { return {}; }  ///< of a frame
   static Frame<R> ground() { return spatial_ground_frame<R>(); }  ///< a frame at rest
 
+  static const BodyDirections<R>& directions(const Chart& chart) { return chart.directions(); }  ///< of a chart
+
   // Rows of Φ in A.
 
   static std::size_t constraint_rows(const System& system) { return system.kept().size(); }  ///< of A
@@ -62,14 +71,15 @@ struct InSpace {
   static std::size_t system_row(const System& system, std::size_t row) { return system.kept()[row]; }
 
   /// Evaluates a constraint at the frames and hands each of its rows that is kept to keep(its number in A, row).
-  template <class Keep>
-  static void for_each_row(const System& system, std::size_t c, const R& t, const Workspace<R>& w, const Keep& keep) {
+  template <class T, class Time, class Keep>
+  static void for_each_row(const System& system, std::size_t c, const Time& t, const Workspace<T>& w,
+                           const Keep& keep) {
     const std::size_t row = system.first_row(c);
-    const Frame<R>& first = system.frame(system.first_body_of_row(row), w);
-    const Frame<R>& second = system.frame(system.second_body_of_row(row), w);
+    const Frame<T>& first = system.frame(system.first_body_of_row(row), w);
+    const Frame<T>& second = system.frame(system.second_body_of_row(row), w);
     std::visit(
         [&]<class Constraint>(const Constraint& constraint) {
-          std::array<Row<R>, Constraint::rows> from;
+          std::array<Row<T>, Constraint::rows> from;
           constraint.evaluate(first, second, t, from.data());
           for (std::size_t i = 0; i < Constraint::rows; ++i) {
             const std::size_t number = system.place_among_kept(row + i);
@@ -87,12 +97,12 @@ struct InSpace {
   }
   /// Moves the places of a part by its displacements by(i).
   template <class By>
-  static void displace(const Part& part, const By& by, R* q) {
+  static void displace(const Chart& chart, const Part& part, const By& by, R* q) {
     std::size_t i = 0;
     for (const std::size_t b : part.bodies) {
       R* place = q + coordinates * b;
       for (; i < part.size() && part.columns[i] < velocities * b + 3; ++i)
-        place[part.columns[i] - velocities * b] += by(i);
+        chart.directions().add(part.columns[i], R(by(i)), [place](std::size_t k, const R& more) { place[k] += more; });
       if (i == part.size() || part.columns[i] >= velocities * (b + 1)) continue;
       turn(Vector3<R>(by(i), by(i + 1), by(i + 2)), place);
       i += 3;
@@ -146,9 +156,12 @@ struct InSpace {
 
   // Forces and masses.
 
-  /// There are no tables.
+  /// Tables over angles are read by the pieces that the equations hold, and angles by the revolutions they count.
   template <class T>
-  static void hold_tables(const Equations&, Workspace<T>&) {}
+  static void hold_tables(Equations& ode, Workspace<T>& w) {
+    if (!ode.table_pieces().empty()) w.table_pieces = &ode.table_pieces();
+    if (!ode.turns().empty()) w.turns = &ode.turns();
+  }
   /// All forces at the frames. @param correct  as of SpatialSystem::apply_forces
   template <class T, class Time, class Correct>
   static void apply_forces(const System& system, const Time& t, const Memory& memory, Workspace<T>& w,

@@ -169,12 +169,16 @@ class IndependentMotion {
   /// x += V dz, by velocities
   void add_along(const Place& place, const R* dz, R* x) const {
     for (std::size_t i = 0; i < free().size(); ++i) {
-      R& at = x[free().columns[i]];
-      R sum = at;
-      for (std::size_t k = 0; k < freedoms(); ++k) sum += column(place, k, i) * dz[k];
-      at = sum;
+      const std::size_t c = free().columns[i];
+      R* const of_body = x + c - c % In::velocities;
+      for (std::size_t k = 0; k < freedoms(); ++k) {
+        directions().add(c, R(column(place, k, i) * dz[k]),
+                         [of_body](std::size_t row, const R& more) { of_body[row] += more; });
+      }
     }
   }
+  /// That displacements are counted along.
+  decltype(auto) directions() const { return In::directions(chart_); }
 
   /// y_ = (q, v) of x to rounding, with the rows there, the chart's factors and V.
   template <class Small>
@@ -206,6 +210,7 @@ class IndependentMotion {
     for (std::size_t i = 0; i < prescribed().size(); ++i) a[prescribed().columns[i]] = moment().accelerations[i];
     free().lu.solve(latest().numbers.data(), gammas_.data(), step_.data(), work_.data());
     for (std::size_t i = 0; i < free().size(); ++i) a[free().columns[i]] = step_[i];
+    directions().to_inertial(a);
   }
 
   const System& system_;
@@ -239,12 +244,18 @@ class IndependentMotion {
     in_one_piece<R>([&] {
       for (const std::size_t c : part.constraints) {
         In::for_each_row(system_, c, t, w_, [&](std::size_t row, const auto& from) {
-          if (parts.is_in(part, row)) keep(parts.place_in_part(row), from);
+          if (!parts.is_in(part, row)) return;
+          const std::size_t of_system = In::system_row(system_, row);
+          keep(parts.place_in_part(row),
+               directions().of(from, system_.first_body_of_row(of_system), system_.second_body_of_row(of_system)));
         });
       }
       if (&part == &parts.prescribed()) return;
       const std::size_t first = first_function();
-      chart_.for_each_function(w_, [&](std::size_t k, const auto& row) { keep(first + k, row); });
+      chart_.for_each_function(w_, [&](std::size_t k, const auto& row) {
+        const auto [body_i, body_j] = chart_.bodies_of(k);
+        keep(first + k, directions().of(row, body_i, body_j));
+      });
     });
   }
 
@@ -278,6 +289,7 @@ class IndependentMotion {
       for (std::size_t k = 0; k < f; ++k) rate += column(place, k, i) * x[f + k];
       y_[places_end_ + free().columns[i]] = rate;
     }
+    directions().to_inertial(y_.data() + places_end_);
   }
 
   /// The largest of a part's displacements, in the size of its coordinate.
@@ -310,13 +322,14 @@ class IndependentMotion {
       const auto moved = [&](std::size_t i) { return R(dt * (y_[places_end_ + i] + dt / 2 * w_.accelerations[i])); };
       for (std::size_t k = 0; k < f; ++k)
         right_[k] = chart_.miss(k, R(right_[k] - dt * (speeds_[k] + dt / 2 * accelerations_[k])), R(0));
+      const auto component = [&](std::size_t i) { return directions().component(i, moved); };
       In::displace(
-          prescribed(), [&](std::size_t i) { return moved(prescribed().columns[i]); }, y_.data());
+          chart_, prescribed(), [&](std::size_t i) { return component(prescribed().columns[i]); }, y_.data());
       In::displace(
-          free(), [&](std::size_t i) { return R(moved(free().columns[i]) + along(i)); }, y_.data());
+          chart_, free(), [&](std::size_t i) { return R(component(free().columns[i]) + along(i)); }, y_.data());
     } else {
       for (std::size_t k = 0; k < f; ++k) right_[k] = chart_.miss(k, right_[k], R(0));
-      In::displace(free(), along, y_.data());
+      In::displace(chart_, free(), along, y_.data());
     }
   }
 
@@ -363,7 +376,11 @@ class IndependentMotion {
     });
     for (std::size_t i = 0; i < part.size(); ++i) residual_[i] = -Parts::time_rate(i, numbers);
     solve(residual_, moment.rates);
+    directions().for_each_turned([this](std::size_t b) {  // of which others may be free, and are not known yet
+      std::fill_n(y_.begin() + static_cast<std::ptrdiff_t>(places_end_ + In::velocities * b), dimensions, R(0));
+    });
     for (std::size_t i = 0; i < part.size(); ++i) y_[places_end_ + part.columns[i]] = moment.rates[i];
+    directions().to_inertial(y_.data() + places_end_);
     move_frames_on(part);
     find_gammas(t, part);
     solve(gammas_, moment.accelerations);
@@ -378,7 +395,7 @@ class IndependentMotion {
     const R size = size_of_step(free(), [this](std::size_t i) { return step_[i]; });
     if (size <= rounding() || !(size < R(longest_chord))) return;
     In::displace(
-        free(), [this](std::size_t i) { return R(-step_[i]); }, y_.data());
+        chart_, free(), [this](std::size_t i) { return R(-step_[i]); }, y_.data());
     if (!move_frames_from(from)) place_frames(free());
   }
 
@@ -412,7 +429,7 @@ class IndependentMotion {
         if (!(size < 1) || iteration == most_iterations)
           throw SingularConstraints("no places near the last ones fulfil the constraints");
         In::displace(
-            part, [&step](std::size_t i) { return R(-step(i)); }, y_.data());
+            chart_, part, [&step](std::size_t i) { return R(-step(i)); }, y_.data());
         for (const std::size_t b : part.bodies) In::move(w_.frames[b], place_of(b));
       }
       if (size <= settled() || (before < near && size < near)) return;

@@ -143,6 +143,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
         Slopes& slopes = v_slopes_[free().columns[i]];
         for (std::size_t k = start; k < std::min(end, f); ++k) slopes(index(k - start)) = column(latest(), k, i);
       }
+      directions().to_inertial(v_slopes_.data());
       const auto z_rate_slope = [&](std::size_t k) {
         Slopes slope = Slopes::Zero();
         if (f + k >= start && f + k < end) slope(index(f + k - start)) = R(1);
@@ -166,6 +167,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     for (Slopes& each : v_slopes_) each.setZero();
     for (std::size_t i = 0; i < prescribed().size(); ++i) v_slopes_[prescribed().columns[i]](0) = moment().rates[i];
     for (std::size_t i = 0; i < free().size(); ++i) v_slopes_[free().columns[i]](0) = column(latest(), f, i);
+    directions().to_inertial(v_slopes_.data());
     fill(Seeded::variable(t, 0), [](std::size_t) -> Slopes { return Slopes::Zero(); });
     for (std::size_t k = 0; k < f; ++k) {
       slope[k] = R(0);
@@ -183,6 +185,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   using Motion::along;
   using Motion::chart_;
   using Motion::column;
+  using Motion::directions;
   using Motion::follow;
   using Motion::free;
   using Motion::functions_;
@@ -259,7 +262,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     const V zero = x(velocities[0]) - x(velocities[0]);
     for (std::size_t k = 0; k < f; ++k) out[k] = zero;
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-      const V here = x(velocities[i]);
+      const V here = directions().component(velocities[i], x);
       for (std::size_t k = 0; k < f; ++k) out[k] += column(place, k, i) * here;
     }
   }
@@ -269,6 +272,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     if (In::slides(w_)) return;  // the whole equations have found them
     const auto a = [this](std::size_t k) -> const R& { return w_.accelerations[k]; };
     for (std::size_t i = 0; i < n_; ++i) residual_[i] = w_.forces[i] - mass_.template row<R>(i, a);
+    directions().from_inertial(residual_.data());
     chart_.parts().solve_transposed(numbers(), residual_.data(), step_.data(), work_.data());
     for (std::size_t i = 0; i < m_; ++i) w_.multipliers[In::system_row(system_, i)] = step_[i];
   }
@@ -289,7 +293,11 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
                dual_.frames[b]);
     }
     move_seeded();
-    evaluate_rows(t, whole);
+    visit_rows(t, whole, [](auto& to, const auto& from) {
+      to.time_rate = from.time_rate;
+      to.first = from.first;
+      to.second = from.second;
+    });
     for_each_row(whole, [&](std::size_t row) {
       right_slopes_[row] = -system_.constraint_rate(In::system_row(system_, row), dual_).derivatives();
     });
@@ -306,7 +314,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     } else {
       move_seeded();
       In::apply_forces(system_, t, memory(), dual_, [](std::size_t, const auto&) {});
-      evaluate_rows(t, whole);
+      visit_rows(t, whole, [](auto& to, const auto& from) { to.gamma = from.gamma; });
       differentiate_accelerations(whole);
     }
     if (ode_.with_ledger()) {
@@ -322,15 +330,21 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
       In::give_velocities(dual_.frames[b], v + In::velocities * b);
   }
 
-  /// Rows at these: all, or those that are not prescribed.
-  template <class Time>
-  void evaluate_rows(const Time& t, bool whole) {
+  /// Rows at these, all, or those that are not prescribed: take(to, from) takes what is asked for from each, which the
+  /// compiler spares what it does not read. γ is of velocities, and all else of places alone.
+  template <class Time, class Take>
+  void visit_rows(const Time& t, bool whole, const Take& take) {
+    const auto visit = [&](std::size_t c) {
+      In::for_each_row(system_, c, t, dual_, [&](std::size_t row, const auto& from) {
+        if (whole || chart_.parts().is_in(free(), row)) take(dual_.rows[In::system_row(system_, row)], from);
+      });
+    };
     if (whole) {
-      In::evaluate_constraints(system_, t, dual_);
+      for (std::size_t c = 0; c < system_.constraints().size(); ++c) visit(c);
     } else {
-      for (const std::size_t c : free().constraints) system_.evaluate_constraint(c, t, dual_);
+      for (const std::size_t c : free().constraints) visit(c);
     }
-    chart_.evaluate(dual_, seeded_functions_.data());
+    chart_.for_each_function(dual_, [&](std::size_t k, const auto& row) { take(seeded_functions_[k], row); });
   }
 
   /// Calls act(row of A) for those of constraints.
@@ -347,6 +361,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   void solve_slopes(bool whole, std::vector<Slopes>& x) {
     if (whole) {
       chart_.parts().solve(numbers(), right_slopes_.data(), x.data(), slopes_work_.data());
+      directions().to_inertial(x.data());
       return;
     }
     const std::size_t n = free().size();
@@ -356,6 +371,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     free().lu.solve(latest().numbers.data(), right, found, found + n_);
     for (Slopes& each : x) each.setZero();
     for (std::size_t i = 0; i < n; ++i) x[free().columns[i]] = found[i];
+    directions().to_inertial(x.data());
   }
 
   /// With v̇ and λ held, A dv̇ = [dγ − dΦ_v v̇; dz̈ + dγ_C − dC_v v̇] and Vᵀ(M dv̇ + dΦ_vᵀ λ − dg) = 0.
@@ -393,10 +409,12 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     for (std::size_t i = 0; i < free().size(); ++i) {
       const std::size_t c = free().columns[i];
       for (std::size_t k = 0; k < f; ++k) right_slopes_[c] += column(latest(), k, i) * reduced_slopes_[k];
-      v_slopes_[c] += right_slopes_[c];
     }
+    directions().to_inertial(right_slopes_.data());
+    for (std::size_t i = 0; i < n_; ++i) v_slopes_[i] += right_slopes_[i];
     const auto of_freedoms = [this](std::size_t i) -> const Slopes& { return right_slopes_[i]; };
     for (std::size_t i = 0; i < n_; ++i) slopes_[i] -= mass_.template row<Slopes>(i, of_freedoms);
+    directions().from_inertial(slopes_.data());
     chart_.parts().solve_transposed(numbers(), slopes_.data(), right_slopes_.data(), slopes_work_.data());
     for (std::size_t i = 0; i < n_; ++i) dual_.accelerations[i] = Seeded(w_.accelerations[i], v_slopes_[i]);
     for (std::size_t row = 0; row < m_; ++row) {

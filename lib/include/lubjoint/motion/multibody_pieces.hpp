@@ -12,7 +12,7 @@
 #include "lubjoint/motion/contact_events.hpp"
 #include "lubjoint/motion/jump_side.hpp"
 #include "lubjoint/motion/multibody_ode.hpp"
-#include "lubjoint/motion/table_knots.hpp"
+#include "lubjoint/motion/watched_angles.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/run/event_run.hpp"
 
@@ -43,7 +43,7 @@ class MultibodyPieces {
 
   /// @param tolerance  within which a journal that slides is kept on its line, in clearances
   MultibodyPieces(MultibodyOde<R>& ode, ConstraintUpkeep upkeep, const R& tolerance)
-      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(ode.system(), ode.table_pieces()) {
+      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(PlanarAngles<R>(ode.system()), ode.table_pieces()) {
     const std::vector<JointElement<R>>& joints = ode.system().joints();
     for (std::size_t j = 0; j < joints.size(); ++j) {
       if (joints[j].has_contact() || joints[j].has_half_film()) watched_.push_back(j);
@@ -66,7 +66,7 @@ class MultibodyPieces {
       }
     }
     for (const std::size_t j : watched_) changes_.push_back({t, j, ode_.memory()[j]});
-    knots_.start(y);
+    knots_.start(t, y);
   }
 
   /// Slides that last to the end of the run end with it.
@@ -103,7 +103,7 @@ class MultibodyPieces {
   void margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
     list.clear();
     if (!watched_.empty()) add_joint_margins(t, y, list);
-    knots_.add_margins(y, list);
+    knots_.add_margins(t, y, list);
   }
 
   /// Those of joints.
@@ -466,7 +466,7 @@ class MultibodyPieces {
   ConstraintUpkeep upkeep_;
   State projected_;  ///< a copy: a projection that fails leaves nothing behind
   R tolerance_;
-  TableKnots<R> knots_;
+  TableKnots<R, PlanarAngles<R>> knots_;
   std::vector<std::size_t> watched_;  ///< joints with pieces
   std::vector<R> slides_since_;       ///< of each joint
   std::vector<bool> unparted_;        ///< of each joint: is it on a side that has not left a = 0 yet?

@@ -171,9 +171,7 @@ class MultibodyRun {
              "steps end further from it";
     }
     const bool at_event = result.end == RunEnd::not_located || result.end == RunEnd::stuck;
-    if (at_event && pieces_.is_of_knot(result.margin)) {
-      return "a knot of a table over an angle can't be located; use a tighter tolerance";
-    }
+    if (at_event && pieces_.is_of_knot(result.margin)) return detail::knot_words();
     switch (result.end) {
       case RunEnd::step_limit:
         return detail::step_limit_reason(ode_, t_, y_, settings_.max_steps, is_implicit());

@@ -20,18 +20,17 @@ struct MultibodyStep : StepInterpolant<std::vector<R>> {
 
   /// The state of a sample at a time of the step.
   /// @param by_method  by_method(step, t, y) puts the state into y by the integrator itself: an interpolant's error in
-  /// an
-  ///                   explicit step of higher order may be a thousand tolerances, and so may that of a step to an
+  ///                   an explicit step of higher order may be a thousand tolerances, and so may that of a step to an
   ///                   event
-  /// @param inside  inside(step, t, y) does so by the interpolant
+  /// @param look_inside  look_inside(step, t, y) does so by the interpolant
   template <class ByMethod, class Inside>
-  void sample_at(const R& t, const ByMethod& by_method, const Inside& inside, std::vector<R>& y) const {
+  void sample_at(const R& t, const ByMethod& by_method, const Inside& look_inside, std::vector<R>& y) const {
     if (t == this->t_new) {
       y = this->y_new;
     } else if (sampled_by_steps) {
       by_method(*this, t, y);
     } else {
-      inside(*this, t, y);
+      look_inside(*this, t, y);
     }
   }
 };

@@ -38,6 +38,30 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   }
   const std::vector<JointMemory<R>>& memory() const { return memory_; }  ///< likewise, to be looked at
 
+  /// Of the tables of moving loads over angles, one a load; empty without any. Equations that are integrated read those
+  /// that are held; looks at a state read what it says. Who changes them says forget().
+  std::vector<TablePiece>& table_pieces() { return table_pieces_; }
+  void forget() { is_evaluated_ = false; }  ///< the next evaluation is made anew
+  /// Counts the revolutions of angles, as far as a run has come; empty of a system without counted angles.
+  const TurnHistory<R>& turns() const { return turns_; }
+  /// Forgets revolutions, and counts from a start on.
+  void start_turns(const R& t, const State& y) {
+    turns_.clear();
+    count_turns(t, y);
+  }
+  /// Angles at the next state of a run, which is little more than an accepted step after the last one.
+  void count_turns(const R& t, const State& y) {
+    if (turns_.empty()) return;
+    const auto& angles = system_.elements().angles;
+    const auto frame = [&](std::size_t body) { return frame_in(y, body); };
+    turns_.add(
+        t,
+        [&](std::size_t k, const R& near) {
+          return angles[k].template motion<R>(frame(angles[k].first.body), frame(angles[k].second.body), near);
+        },
+        [&](std::size_t k) { return angles[k].zero; });
+  }
+
   /// ẏ; counted.
   void rate(const State& y, State& dydt, const R& t) override;
   /// ∂ẏ/∂y, exact.
@@ -56,8 +80,9 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   const SpatialWorkspace<R>& last() const { return real_; }  ///< likewise, to be looked at
   const R& last_time() const { return evaluated_t_; }        ///< its time [s]
 
-  /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs. @throws SpringWithoutDirection
-  MechanicalEnergy<R> energy(const State& y) const {
+  /// ½ṙ·mṙ + ½ω′·J′ω′, and the potential energy −Σ m g·r, with that of springs.
+  /// @throws SpringWithoutDirection, AngleNotCounted
+  MechanicalEnergy<R> energy(const R& t, const State& y) const {
     MechanicalEnergy<R> total{R(0), R(0)};
     const std::size_t n = system_.bodies().size();
     for (std::size_t b = 0; b < n; ++b) {
@@ -69,11 +94,13 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
       total.potential -= body.mass * dot(system_.gravity(), motion.position);
     }
     if (!system_.elements().springs.empty()) {
-      total.potential += system_.elements().template energy<R>(
-          [&](std::size_t body) { return SpatialFrame<R>(spatial_motion_in(y.data(), n, body)); });
+      total.potential += system_.elements().template energy<R>(elements_at(t, y));
     }
     return total;
   }
+
+  /// A counted angle at a state. @throws AngleNotCounted
+  AngleMotion<R> angle(const R& t, const State& y, std::size_t k) const { return elements_at(t, y).angle(k); }
 
   /// Powers of the terms of a ledger, of an evaluated workspace.
   /// @param power  works() numbers
@@ -86,10 +113,10 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
       for (Eigen::Index k = 0; k < 3; ++k)
         add(LedgerTerm::loads, T(body.load(k) * w.frames[b].velocity(k) + body.moment(k) * w.frames[b].spin(k)));
     }
-    const auto frame = [&](std::size_t body) -> const SpatialFrame<T>& { return system_.frame(body, w); };
     const SpatialForceElements<R>& elements = system_.elements();
-    if (!elements.loads.empty()) add(LedgerTerm::loads, elements.template load_power<T>(t, frame));
-    if (elements.has_dampers()) add(LedgerTerm::dampers, elements.template damper_power<T>(frame));
+    const auto in = system_.elements_in(t, w);
+    if (!elements.loads.empty()) add(LedgerTerm::loads, elements.template load_power<T>(t, in, w.table_pieces));
+    if (elements.has_dampers()) add(LedgerTerm::dampers, elements.template damper_power<T>(in));
     for (const SpatialJointForce<T>& joint : w.joints) {
       add(LedgerTerm::film, joint.film_power());
       add(LedgerTerm::contact, joint.contact_power());
@@ -102,13 +129,27 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   }
 
  private:
+  SpatialFrame<R> frame_in(const State& y, std::size_t body) const {
+    return SpatialFrame<R>(spatial_motion_in(y.data(), system_.bodies().size(), body));
+  }
+
+  /// Frames and counted angles of a state, kept by reference.
+  auto elements_at(const R& t, const State& y) const {
+    const auto frame = [this, &y](std::size_t body) { return frame_in(y, body); };
+    return typename SpatialSystem<R>::template ElementView<R, decltype(frame)>{system_, &turns_, t, frame};
+  }
+
   /// Everything at (t, y), unless that was the last that was asked for: a step's end is, by its method, by the run and
   /// by the recorder.
-  void evaluate(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
+  /// @param holds  are tables read by the pieces that are held?
+  void evaluate(const R& t, const State& y, const std::vector<JointMemory<R>>& memory, bool holds) {
+    const std::vector<TablePiece>* pieces = holds && !table_pieces_.empty() ? &table_pieces_ : nullptr;
     const bool is_same_piece = &memory == &memory_ || memory.empty();
-    if (is_evaluated_ && is_same_piece && t == evaluated_t_ && y == evaluated_y_) return;
+    if (is_evaluated_ && is_same_piece && pieces == real_.table_pieces && t == evaluated_t_ && y == evaluated_y_)
+      return;
     is_evaluated_ = false;
     ++evaluations_;
+    real_.table_pieces = pieces;
     system_.evaluate(t, y.data(), memory, real_);
     is_evaluated_ = is_same_piece;
     evaluated_t_ = t;
@@ -137,6 +178,8 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   std::vector<Seeded> seeded_, powers_;
   RunTimeJacobian<jacobian_group, R> derivatives_;
   std::vector<JointMemory<R>> memory_;
+  std::vector<TablePiece> table_pieces_;
+  TurnHistory<R> turns_;
   std::vector<bool> drives_;  ///< of each row
   State evaluated_y_;
   R evaluated_t_{};
@@ -152,7 +195,16 @@ SpatialOde<R>::SpatialOde(const SpatialSystem<R>& system, bool with_ledger)
     : system_(system),
       with_ledger_(with_ledger),
       real_(system.template workspace<R>()),
-      dual_(system.template workspace<Seeded>()) {
+      dual_(system.template workspace<Seeded>()),
+      turns_(system.elements().angles.size()) {
+  const auto& loads = system.elements().loads;
+  const bool reads_angles = std::any_of(loads.begin(), loads.end(), [](const auto& load) {
+    const auto* table = std::get_if<SpatialTableLoad<R>>(&load);
+    return table != nullptr && table->of_angle;
+  });
+  if (reads_angles) table_pieces_.resize(loads.size());
+  if (!turns_.empty()) real_.turns = dual_.turns = dual_.implicit.at.turns = &turns_;
+  if (reads_angles) dual_.table_pieces = dual_.implicit.at.table_pieces = &table_pieces_;
   for (std::size_t row = 0; row < system.constraint_rows(); ++row)
     drives_.push_back(system.constraints()[system.constraint_of(row)].is_driver());
   const auto& joints = system.joints();
@@ -164,7 +216,7 @@ SpatialOde<R>::SpatialOde(const SpatialSystem<R>& system, bool with_ledger)
 
 template <class R>
 void SpatialOde<R>::rate(const State& y, State& dydt, const R& t) {
-  evaluate(t, y, memory_);
+  evaluate(t, y, memory_, true);
   fill(t, dydt, real_);
 }
 
@@ -215,7 +267,7 @@ void SpatialOde<R>::time_slope(const State& y, State& slope, const R& t) {
 template <class R>
 const SpatialWorkspace<R>& SpatialOde<R>::at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory) {
   const std::size_t counted = evaluations_;
-  evaluate(t, y, memory);
+  evaluate(t, y, memory, false);
   evaluations_ = counted;
   return real_;
 }

@@ -10,6 +10,7 @@
 #include "lubjoint/motion/jump_side.hpp"
 #include "lubjoint/motion/multibody_pieces.hpp"
 #include "lubjoint/motion/spatial_ode.hpp"
+#include "lubjoint/motion/spatial_watched_angles.hpp"
 #include "lubjoint/multibody/spatial/assembly.hpp"
 #include "lubjoint/run/event_run.hpp"
 
@@ -33,6 +34,7 @@ class SpatialPieces {
       : ode_(ode),
         upkeep_(upkeep),
         norm_error_(norm_error),
+        knots_(SpatialAngles<R>(ode), ode.table_pieces()),
         rooms_(ode.system().joints().size()),
         unparted_(ode.system().joints().size(), false) {
     for (const SpatialJointElement<R>& joint : ode.system().joints()) {
@@ -42,6 +44,8 @@ class SpatialPieces {
 
   /// The pieces that a start is in.
   void start(const R& t, const State& y) {
+    knots_.start(t, y);
+    ode_.forget();
     if (ode_.memory().empty()) return;
     for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
       const SpatialJointElement<R>& joint = ode_.system().joints()[j];
@@ -58,9 +62,10 @@ class SpatialPieces {
   double norm_drift() const { return norm_drift_; }  ///< largest ||p| − 1| at the end of a step, before it was mended
 
   /// What a margin is of.
-  enum class Kind { contact, side, edge };
+  enum class Kind { contact, side, edge, knot };
   /// Of a margin.
-  static Kind kind_of(std::size_t margin) {
+  Kind kind_of(std::size_t margin) const {
+    if (margin >= first_knot()) return Kind::knot;
     return margin % margins_each < 2 ? Kind::contact : margin % margins_each == 2 ? Kind::side : Kind::edge;
   }
   /// The joint of a margin.
@@ -76,7 +81,7 @@ class SpatialPieces {
   /// back inside, and is accepted, goes unnoticed, unless the journal itself leaves the film.
   bool watches() {
     if (has_pieces_) return true;
-    bool may_cross = false;
+    bool may_cross = !knots_.empty();
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
       const EdgeRoom before = rooms_[j];
       const EdgeRoom& now = rooms_[j] = room_at_end(j);
@@ -94,8 +99,9 @@ class SpatialPieces {
     return std::all_of(y.begin(), y.end(), [](const R& v) { return std::isfinite(static_cast<double>(v)); });
   }
 
-  /// Of each joint: the inner and the outer seam of its contact, a = 0 of its half film, and its film's edge.
-  void margins(const R&, const State& y, std::vector<Margin<R>>& list) {
+  /// Of each joint: the inner and the outer seam of its contact, a = 0 of its half film, and its film's edge. Then the
+  /// distances to the knots of tables over angles.
+  void margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
     list.clear();
     ode_.system().place(y.data(), ode_.workspace());
     const Margin<R> far{R(1), R(0)};
@@ -112,6 +118,7 @@ class SpatialPieces {
       list.push_back(has_side(j) ? side_margin(k.motion, j) : far);
       list.push_back(joint.has_contact() ? far : Margin<R>{edge_room(j, k), seam_rounding()});
     }
+    knots_.add_margins(t, y, list);
   }
 
   /// Euler parameters of norm 1, to the error that may stay or, if exactly, to rounding; constraints by projection,
@@ -135,8 +142,13 @@ class SpatialPieces {
     return changed;
   }
 
-  /// The piece beyond a surface.
+  /// The piece beyond a surface, or the next interval of a table.
   AfterEvent cross(std::size_t margin, const R& t, const State& y) {
+    if (kind_of(margin) == Kind::knot) {
+      knots_.cross(margin - first_knot());
+      ode_.forget();
+      return AfterEvent::keep_pace;
+    }
     const std::size_t j = margin / margins_each;
     switch (margin % margins_each) {
       case 0:
@@ -168,6 +180,7 @@ class SpatialPieces {
 
  private:
   static constexpr std::size_t margins_each = 4;
+  std::size_t first_knot() const { return margins_each * ode_.system().joints().size(); }
 
   static R epsilon() { return std::numeric_limits<R>::epsilon(); }
   /// Seams are places in clearances; coordinates may be a thousand clearances long.
@@ -306,7 +319,8 @@ class SpatialPieces {
   SpatialOde<R>& ode_;
   ConstraintUpkeep upkeep_;
   double norm_error_;
-  bool has_pieces_ = false;      ///< may a joint touch, or its half film change its side?
+  bool has_pieces_ = false;  ///< may a joint touch, or its half film change its side?
+  TableKnots<R, SpatialAngles<R>> knots_;
   std::vector<EdgeRoom> rooms_;  ///< of each film's edge, at the end of the last step
   State projected_;              ///< a copy: a projection that fails leaves nothing behind
   std::vector<bool> unparted_;   ///< of each joint: is it on a side that has not left a = 0 yet?

@@ -18,9 +18,7 @@ R prescribed_miss(const std::vector<NamedSpatialConstraint<R>>& constraints, con
     std::visit(
         [&]<class Constraint>(const Constraint& driver) {
           if constexpr (requires { driver.motion; }) {
-            const auto motion = [&](const R& at) {
-              return DrivenMotion<R>{driver.motion.place(at), driver.motion.rate(at), driver.motion.acceleration};
-            };
+            const auto motion = [&](const R& at) { return driver.motion.at(at); };
             const auto terms = [&](const R& at) { return driver.motion.size_of_terms(at); };
             worst = std::max<R>(worst, detail::quintic_miss<!Constraint::is_length(0)>(motion, terms, t, dt));
           }

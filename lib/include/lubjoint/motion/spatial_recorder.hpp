@@ -45,8 +45,8 @@ class SpatialRecorder {
   /// The first sample.
   void start(const R& t, const std::vector<R>& y) {
     add_sample(t, y, ode_.memory());
-    balance_.start(ode_.energy(y));
-    note_drift(ode_.last(), y);
+    balance_.start(ode_.energy(t, y));
+    note_drift(t, ode_.last(), y);
   }
 
   /// An accepted step: the samples in it, and its extremes.
@@ -68,13 +68,13 @@ class SpatialRecorder {
             inside(*step, t, state_);
           }
           const SpatialWorkspace<R>& w = ode_.at(t, state_, step->memory);
-          if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, measured_);
+          if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), t, w, measured_);
           for (std::size_t k = 0; k < first_sensor_ + 2 * sensor_values_; ++k) put(k, quantity(k, w, measured_));
-          if (t == step->t_new) note_drift(w, step->y_new);
+          if (t == step->t_new) note_drift(t, w, step->y_new);
         },
         [&](std::size_t k, const R& t) {
           inside(*step, t, state_);
-          return exactly(k, ode_.at(t, state_, step->memory));
+          return exactly(k, t, ode_.at(t, state_, step->memory));
         },
         [&](std::size_t k, const R& t) { return by(by_method, *step, t, k); });
   }
@@ -218,12 +218,12 @@ class SpatialRecorder {
       exact_t_ = t;
       exact_from_ = step.t_old;
     }
-    return exactly(k, ode_.at(t, exact_, step.memory));
+    return exactly(k, t, ode_.at(t, exact_, step.memory));
   }
 
   /// The same, of a state that is not one of a step's pieces.
-  double exactly(std::size_t k, const SpatialWorkspace<R>& w) {
-    if (k >= first_sensor_) read_sensors(sensors_, ode_.system(), w, exactly_measured_);
+  double exactly(std::size_t k, const R& t, const SpatialWorkspace<R>& w) {
+    if (k >= first_sensor_) read_sensors(sensors_, ode_.system(), t, w, exactly_measured_);
     return quantity(k, w, exactly_measured_);
   }
 
@@ -251,16 +251,16 @@ class SpatialRecorder {
                                narrow(force.kinematics.sliding), in_plane.losses});
     }
     for (const std::size_t c : drivers_) sample.driving_efforts.push_back(narrow(ode_.system().driving_effort(c, w)));
-    if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), w, sample.sensors);
+    if (!sensors_.empty()) read_sensors(sensors_, ode_.system(), t, w, sample.sensors);
     if (ode_.with_ledger()) {
-      const MechanicalEnergy<R> energy = ode_.energy(y);
+      const MechanicalEnergy<R> energy = ode_.energy(t, y);
       sample.ledger = {narrow(energy.kinetic), narrow(energy.potential)};
       for (std::size_t i = ode_.mechanical_states(); i < y.size(); ++i) sample.ledger.push_back(narrow(y[i]));
     }
     samples_.push_back(std::move(sample));
   }
 
-  void note_drift(const SpatialWorkspace<R>& w, const std::vector<R>& y) {
+  void note_drift(const R& t, const SpatialWorkspace<R>& w, const std::vector<R>& y) {
     const std::vector<std::size_t>& without = ode_.system().left_out();
     for (std::size_t row = 0; row < w.rows.size(); ++row) {
       const double off = std::abs(static_cast<double>(w.rows[row].value));
@@ -271,7 +271,7 @@ class SpatialRecorder {
       double& share = is_left_out ? left_out_ : kept_;
       share = std::max(share, off / unit_of_row(row));
     }
-    if (ode_.with_ledger()) balance_.note(ode_.energy(y), y, ode_.mechanical_states());
+    if (ode_.with_ledger()) balance_.note(ode_.energy(t, y), y, ode_.mechanical_states());
   }
 
   SpatialOde<R>& ode_;

@@ -48,6 +48,7 @@ class SpatialRun {
     y_.resize(ode_.dimension(), R(0));  // work: none yet
     t_ = R(0);
     R dt(1e-6 * settings_.duration);
+    ode_.start_turns(t_, y_);
     pieces_.start(t_, y_);
     recorder_.start(t_, y_);
     springs_.start(y_);
@@ -58,6 +59,7 @@ class SpatialRun {
       step->sampled_by_steps = !is_implicit() || accepted.shortened;
       // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
       if (is_implicit() && accepted.shortened) step->smooth_rates = false;
+      if (!ode_.turns().empty()) count_turns(*step);
       try {
         recorder_.step(step, by_method());
       } catch (const SpringWithoutDirection&) {
@@ -101,6 +103,18 @@ class SpatialRun {
       ode_.memory() = memory;
       if (!reached) spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
     };
+  }
+
+  /// Follows the angles through a step as closely as its extremes are looked for.
+  void count_turns(const MultibodyStep<R>& step) {
+    const auto looks = static_cast<double>(method_->looks_inside());
+    State y;
+    for (double i = 1; i < looks; ++i) {
+      const R t = step.t_old + (step.t_new - step.t_old) * R(i / looks);
+      spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
+      ode_.count_turns(t, y);
+    }
+    ode_.count_turns(step.t_new, step.y_new);
   }
 
   bool is_implicit() const { return method_->counts().jacobians > 0; }
@@ -162,10 +176,12 @@ class SpatialRun {
     const Nearest near = nearest();
     const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name() + "\""; };
     using Kind = typename SpatialPieces<R>::Kind;
-    const Kind kind = SpatialPieces<R>::kind_of(result.margin);
+    const Kind kind = pieces_.kind_of(result.margin);
     const std::string on_jump =
         " can't leave the jump of its half film at a = 0, on which scenes in space do not slide; use a law without a "
         "jump, such as a dynamic one";
+    const bool at_event = result.end == RunEnd::not_located || result.end == RunEnd::stuck;
+    if (at_event && kind == Kind::knot) return detail::knot_words();
     if (result.end == RunEnd::handed_over && kind == Kind::side) return near.words + joint() + on_jump;
     if (result.end == RunEnd::handed_over) {
       const std::size_t j = static_cast<std::size_t>(&pieces_.joint_of(result.margin) - ode_.system().joints().data());

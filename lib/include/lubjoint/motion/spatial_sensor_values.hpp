@@ -14,6 +14,7 @@ namespace detail {
 template <class R>
 struct SpatialSensorReader {
   const SpatialSystem<R>& system;
+  const R& t;
   const SpatialWorkspace<R>& w;
   std::vector<double>& values;
 
@@ -50,20 +51,27 @@ struct SpatialSensorReader {
     add(R(norm(d)));
     add(R(dot(direction(d), v)));
   }
+  void operator()(const SpatialAngleSensor& sensor) const {
+    const AngleMotion<R> motion = system.elements_in(t, w).angle(sensor.angle);
+    add(motion.angle);
+    add(motion.rate);
+  }
   void operator()(const SpringSensor& sensor) const {
-    const SpatialSpring<R>& spring = system.elements().springs[sensor.spring];
-    add(spring.template state<R>(system.frame(spring.first.body, w), system.frame(spring.second.body, w)).tension);
+    const auto in = system.elements_in(t, w);
+    add(std::visit([&](const auto& s) { return s.template effort<R>(in); },
+                   system.elements().springs[sensor.spring].spring));
   }
 };
 
 }  // namespace detail
 
-/// Values of all sensors, one after the other, from an evaluated workspace.
+/// Values of all sensors, one after the other, from a workspace evaluated at t.
 template <class R>
-void read_sensors(const std::vector<SpatialSensor>& sensors, const SpatialSystem<R>& system,
+void read_sensors(const std::vector<SpatialSensor>& sensors, const SpatialSystem<R>& system, const R& t,
                   const SpatialWorkspace<R>& w, std::vector<double>& values) {
   values.clear();
-  for (const SpatialSensor& sensor : sensors) std::visit(detail::SpatialSensorReader<R>{system, w, values}, sensor.of);
+  for (const SpatialSensor& sensor : sensors)
+    std::visit(detail::SpatialSensorReader<R>{system, t, w, values}, sensor.of);
 }
 
 }  // namespace lubjoint

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lubjoint/motion/multibody_step.hpp"
@@ -23,10 +24,13 @@ class SpatialSprings {
   std::size_t size() const { return system_->elements().springs.size(); }  ///< number of springs
   /// Of a spring.
   const std::string& name(std::size_t spring) const { return system_->elements().springs[spring].name; }
-  static bool has_direction(std::size_t) { return true; }  ///< all are along a line
-  /// d of a spring at a state.
+  /// Is it one along a line, and not about an axis?
+  bool has_direction(std::size_t spring) const {
+    return std::holds_alternative<SpatialTranslationalSpring<R>>(system_->elements().springs[spring].spring);
+  }
+  /// d of a spring along a line at a state.
   Span span(const std::vector<R>& y, std::size_t k) const {
-    const SpatialSpring<R>& spring = system_->elements().springs[k];
+    const auto& spring = std::get<SpatialTranslationalSpring<R>>(system_->elements().springs[k].spring);
     const auto place = [&](const SpatialBodyPoint<R>& point) {
       if (point.on_ground()) return point.point;
       const SpatialMotion<R> body = spatial_motion_in(y.data(), system_->bodies().size(), point.body);

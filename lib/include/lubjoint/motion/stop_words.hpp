@@ -64,4 +64,7 @@ inline std::string stall_words() {
          " of the duration: ";
 }
 
+/// Of a table's knot that no step reaches.
+inline std::string knot_words() { return "a knot of a table over an angle can't be located; use a tighter tolerance"; }
+
 }  // namespace lubjoint::detail

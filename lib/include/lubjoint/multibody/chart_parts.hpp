@@ -69,6 +69,24 @@ class ChartParts {
             const std::vector<R>& units, const AtOddPlaces& at_odd_places) {
     n_ = rows.size();
     sides_ = std::move(sides);
+    may_differ_.assign(n_ * n_, false);
+    std::vector<bool> moved(n_, false);
+    at_odd_places([&](const std::vector<Row>& odd) {
+      const Matrix there = matrix(odd);
+      for (std::size_t i = 0; i < n_; ++i) {
+        const R rounding = R(1e-13) * there.row(index(i)).cwiseAbs().maxCoeff();  // what turned axes leave of a zero
+        for (std::size_t j = 0; j < n_; ++j)
+          may_differ_[i * n_ + j] = may_differ_[i * n_ + j] || size_of(there(index(i), index(j))) > rounding;
+      }
+      add_moved(there, constraints.size(), moved);
+    });
+    divide(constraints, may_differ_, std::move(moved));
+    return find_order(rows, units);
+  }
+
+  /// Finds the order of pivots anew, of rows that are divided as they are. @returns as above
+  template <class Row>
+  bool find_order(const std::vector<Row>& rows, const std::vector<R>& units) {
     Matrix a = matrix(rows);
     for (std::size_t i = 0; i < n_; ++i) {
       auto row = a.row(index(i));
@@ -77,14 +95,7 @@ class ChartParts {
       if (!(size > 0)) return false;
       row /= size;
     }
-    std::vector<bool> may_differ(n_ * n_, false), moved(n_, false);
-    at_odd_places([&](const std::vector<Row>& odd) {
-      const Matrix there = matrix(odd);
-      for (std::size_t i = 0; i < n_ * n_; ++i) may_differ[i] = may_differ[i] || there.data()[i] != 0;
-      add_moved(there, constraints.size(), moved);
-    });
-    divide(constraints, may_differ, moved);
-    return start(prescribed_, a, may_differ, rows) && start(free_, a, may_differ, rows);
+    return start(prescribed_, a, rows) && start(free_, a, rows);
   }
 
   /// All of A, of the rows where it was divided or of others.
@@ -256,7 +267,7 @@ class ChartParts {
 
   /// Finds the order of pivots of a part. @param a  all of A, of a size that compares;  @param rows  in their units
   template <class Row>
-  bool start(Part& part, const Matrix& a, const std::vector<bool>& may_differ, const std::vector<Row>& rows) const {
+  bool start(Part& part, const Matrix& a, const std::vector<Row>& rows) const {
     const std::size_t n = part.size();
     std::vector<R> elements(n * n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -264,7 +275,7 @@ class ChartParts {
     }
     std::vector<Number> places(n * n, ListedLu<R>::none);
     for_each_element([&](std::size_t row, bool second, std::size_t k, std::size_t column) {
-      if (!is_in(part, row) || !may_differ[row * n_ + column]) return;
+      if (!is_in(part, row) || !may_differ_[row * n_ + column]) return;
       const auto found = std::find(part.columns.begin(), part.columns.end(), column);
       if (found == part.columns.end()) return;
       const std::size_t i = place_in_part_[row];
@@ -282,6 +293,7 @@ class ChartParts {
 
   std::size_t n_ = 0;
   std::vector<RowSides> sides_;
+  std::vector<bool> may_differ_;  ///< of each element of A: is it other than 0 anywhere?
   Part prescribed_, free_;
   std::vector<unsigned char> is_prescribed_;  ///< of every row of A: 1 or 0
   std::vector<std::size_t> place_in_part_;    ///< likewise

@@ -82,6 +82,28 @@ std::shared_ptr<const MotionShape<S>> cast_shape(const std::shared_ptr<const Mot
   return std::make_shared<const MotionShape<S>>(shape->template cast<S>());
 }
 
+/// What a driver prescribes: f = f₀ + f₁ t + ½ f₂ t² and its shape.
+template <class R>
+struct PrescribedMotion {
+  R start;                                                ///< f₀ [rad or m]
+  R speed;                                                ///< f₁ [rad/s or m/s]
+  R acceleration;                                         ///< f₂ [rad/s² or m/s²]
+  std::shared_ptr<const MotionShape<R>> shape = nullptr;  ///< none: f is what the three before it say
+
+  /// f with ḟ and f̈.
+  template <class Time>
+  DrivenMotion<Time> at(const Time& t) const {
+    return driven_motion(start, speed, acceleration, shape, t);
+  }
+  /// Of f: see there.
+  R size_of_terms(const R& t) const { return lubjoint::size_of_terms(start, speed, acceleration, shape, t); }
+  /// On another scalar.
+  template <class S>
+  PrescribedMotion<S> cast() const {
+    return {S(start), S(speed), S(acceleration), cast_shape<S>(shape)};
+  }
+};
+
 /// The motion a time later, f(t + T) as a function of t: start, speed and shape are changed.
 template <class R>
 void move_start(R& start, R& speed, const R& acceleration, std::shared_ptr<const MotionShape<R>>& shape, const R& by) {

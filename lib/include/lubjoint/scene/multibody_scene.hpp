@@ -118,6 +118,8 @@ PlanarSystem<R> planar_system(const Scene& scene) {
   return PlanarSystem<R>(std::move(bodies), std::move(constraints), std::move(joints), scene.gravity.template cast<R>(),
                          {R(keep.alpha), R(keep.beta)}, std::move(elements));
 }
+/// Compiled once, in the scene library.
+extern template PlanarSystem<double> planar_system(const Scene& scene);
 
 /// (q, q̇) of the scene's start, as the file gives it.
 template <class R>

@@ -13,9 +13,9 @@ namespace lubjoint {
 
 /// Any of them.
 template <class R>
-using AnySpatialConstraint =
-    std::variant<FixedJoint<R>, SphericalJoint<R>, UniversalJoint<R>, RevoluteJoint<R>, CylindricalJoint<R>,
-                 PrismaticJoint<R>, PlanarJoint<R>, DistanceJoint<R>, RotationalDriver<R>, TranslationalDriver<R>>;
+using AnySpatialConstraint = std::variant<FixedJoint<R>, SphericalJoint<R>, UniversalJoint<R>, RevoluteJoint<R>,
+                                          CylindricalJoint<R>, PrismaticJoint<R>, PlanarJoint<R>, DistanceJoint<R>,
+                                          RotationalDriver<R>, HeldSpin<R>, TranslationalDriver<R>>;
 
 /// Hands each row of a constraint, from the frames of its bodies, to keep(i, row). γ is not formed where columns are
 /// asked for, nor are columns where values are.
@@ -67,8 +67,11 @@ struct NamedSpatialConstraint {
   }
   /// Does it prescribe a motion, so that its multiplier is a driving moment or force?
   bool is_driver() const {
-    return std::holds_alternative<RotationalDriver<R>>(constraint) ||
-           std::holds_alternative<TranslationalDriver<R>>(constraint);
+    return std::visit(
+        [](const auto& c) {
+          return requires { c.motion; };
+        },
+        constraint);
   }
   /// Can it hold a moment at its point?
   bool holds_moment() const {

@@ -11,6 +11,7 @@
 
 #include "lubjoint/multibody/chart_parts.hpp"
 #include "lubjoint/multibody/function_choice.hpp"
+#include "lubjoint/multibody/spatial/body_directions.hpp"
 #include "lubjoint/multibody/spatial/chart_functions.hpp"
 #include "lubjoint/multibody/spatial/system.hpp"
 
@@ -32,7 +33,11 @@ class SpatialCoordinateChart {
   /// @param system  whose rows to leave out are known, kept by reference
   /// @param units  in which displacements of bodies and small turns are comparable: six a body
   SpatialCoordinateChart(const SpatialSystem<R>& system, std::vector<R> units)
-      : system_(&system), units_(std::move(units)), m_(system.kept().size()), n_(system.velocities()) {
+      : system_(&system),
+        units_(std::move(units)),
+        m_(system.kept().size()),
+        n_(system.velocities()),
+        directions_(system.bodies().size()) {
     for (const SpatialJointElement<R>& joint : system.joints()) {
       for (std::size_t part = 0; part < 2; ++part)
         candidates_.push_back({part, joint.bearing_at.body, joint.journal_at.body});
@@ -40,6 +45,7 @@ class SpatialCoordinateChart {
     for (std::size_t i = 0; i < n_; ++i) candidates_.push_back({i % 6, i / 6, ground_body});
     axes_.resize(system.bodies().size());
     from_.resize(system.bodies().size());
+    for (const NamedSpatialConstraint<R>& each : system.constraints()) directions_.take(each);
     for (const std::size_t row : system.kept()) {
       constraint_sides_.push_back({system.first_body_of_row(row), system.second_body_of_row(row)});
       constraints_.push_back(system.constraint_of(row));
@@ -79,22 +85,22 @@ class SpatialCoordinateChart {
     }
   }
 
-  /// The same on plain numbers, one after the other to keep(k, row), which the compiler spares what it does not read.
-  template <class Keep>
-  void for_each_function(const SpatialWorkspace<R>& w, const Keep& keep) const {
+  /// The same, one after the other to keep(k, row), which the compiler spares what it does not read.
+  template <class T, class Keep>
+  void for_each_function(const SpatialWorkspace<T>& w, const Keep& keep) const {
     for (std::size_t k = 0; k < freedoms(); ++k) {
       const Candidate& c = candidates_[chosen_[k]];
       if (!is_of_joint(k)) {
-        in_one_piece<R>([&] {
-          SpatialRow<R> row;
+        in_one_piece<T>([&] {
+          SpatialRow<T> row;
           fill_of_body(c, w, row);
           keep(k, row);
         });
         continue;
       }
       const bool both = c.part == 0 && k + 1 < freedoms() && chosen_[k + 1] == chosen_[k] + 1;
-      in_one_piece<R>([&] {
-        std::array<SpatialRow<R>, 2> rows;
+      in_one_piece<T>([&] {
+        std::array<SpatialRow<T>, 2> rows;
         fill_joint(joint_of(k), w, rows);
         keep(k, rows[c.part]);
         if (both) keep(k + 1, rows[1]);
@@ -103,6 +109,7 @@ class SpatialCoordinateChart {
     }
   }
 
+  const BodyDirections<R>& directions() const { return directions_; }  ///< that columns of A are counted along
   /// Numbers of the bodies of function k, as of a constraint's row.
   std::pair<std::size_t, std::size_t> bodies_of(std::size_t k) const {
     return {candidates_[chosen_[k]].first, candidates_[chosen_[k]].second};
@@ -244,10 +251,17 @@ class SpatialCoordinateChart {
     std::vector<SpatialRow<R>> rows(n_);
     for (std::size_t i = 0; i < m_; ++i) rows[i] = w.rows[system_->kept()[i]];
     evaluate(w, rows.data() + m_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const auto [first, second] =
+          i < m_ ? std::pair(constraint_sides_[i].first, constraint_sides_[i].second) : bodies_of(i - m_);
+      rows[i] = directions_.of(rows[i], first, second);
+    }
     return rows;
   }
 
   bool find_parts(const R* y, const SpatialWorkspace<R>& w) {
+    if (divided_for_ == numbers_of_chosen_) return parts_.find_order(all_rows(w), units_);
+    divided_for_ = numbers_of_chosen_;
     std::vector<RowSides> sides = constraint_sides_;
     for (std::size_t k = 0; k < freedoms(); ++k) sides.push_back({bodies_of(k).first, bodies_of(k).second});
     return parts_.find(std::move(sides), constraints_, all_rows(w), units_,
@@ -312,11 +326,13 @@ class SpatialCoordinateChart {
   const SpatialSystem<R>* system_;
   std::vector<R> units_;
   std::size_t m_, n_;
+  BodyDirections<R> directions_;
   std::vector<Candidate> candidates_;
   std::vector<Matrix3<R>> axes_;          ///< of each body's turns, in its frame, as columns
   std::vector<EulerParameters<R>> from_;  ///< p₀ of each body
   std::vector<std::size_t> chosen_;       ///< candidates
   std::vector<std::size_t> numbers_of_chosen_;
+  std::vector<std::size_t> divided_for_;    ///< the functions that parts_ has been divided for
   std::size_t choices_ = 0;                 ///< of functions so far
   std::vector<RowSides> constraint_sides_;  ///< of the rows of constraints
   std::vector<std::size_t> constraints_;    ///< of each of these, its constraint

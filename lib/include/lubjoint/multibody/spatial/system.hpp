@@ -122,7 +122,7 @@ class SpatialSystem {
 
   /// Everything at (t, y): frames, joint forces, constraint rows, accelerations and λ, into the workspace.
   /// @param y  states() numbers;  @param memory  of the joints, one each, or none where none may touch or jump
-  /// @throws FilmDomainError, JournalAcross, SingularConstraints, SpringWithoutDirection
+  /// @throws FilmDomainError, JournalAcross, SingularConstraints, SpringWithoutDirection, AngleNotCounted
   void evaluate(const R& t, const R* y, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<R>& w) const {
     place(y, w);
     apply_forces(t, memory, w, every_body);
@@ -234,9 +234,33 @@ class SpatialSystem {
       add(joint.bearing_at.body, on_bearing.force, on_bearing.moment);
       add(joint.journal_at.body, on_journal.force, on_journal.moment);
     }
-    if (elements_.empty()) return;
-    elements_.template apply<T>(
-        t, [&](std::size_t b) -> const SpatialFrame<T>& { return frame(b, w); }, add);
+    if (!elements_.empty()) elements_.template apply<T>(t, elements_in(t, w), w.table_pieces, add);
+  }
+
+  /// Frames and counted angles as springs and moving loads ask for them.
+  template <class T, class Frame>
+  struct ElementView {
+    const SpatialSystem& system;  ///< whose they are
+    const TurnHistory<R>* turns;  ///< that counts revolutions; may be null
+    R t;                          ///< [s]
+    Frame frame_of;               ///< frame_of(body)
+
+    /// Of a body or of the ground.
+    decltype(auto) frame(std::size_t body) const { return frame_of(body); }
+    /// Of a counted angle, by its number. @throws AngleNotCounted
+    AngleMotion<T> angle(std::size_t k) const {
+      const CountedAngle<R>& angle = system.elements_.angles[k];
+      const auto motion = [&](const R& near) {
+        return angle.template motion<T>(frame(angle.first.body), frame(angle.second.body), near);
+      };
+      return turns != nullptr && turns->has_begun() ? turns->counted(k, t, motion) : motion(angle.zero);
+    }
+  };
+  /// Of a workspace whose frames are placed.
+  template <class T, class Time>
+  auto elements_in(const Time& t, const SpatialWorkspace<T>& w) const {
+    const auto frame_of = [this, &w](std::size_t b) -> const SpatialFrame<T>& { return frame(b, w); };
+    return ElementView<T, decltype(frame_of)>{*this, w.turns, R(value_of(t)), frame_of};
   }
 
   /// Constraint rows of the frames.
@@ -259,9 +283,7 @@ class SpatialSystem {
     const SpatialFrame<T>& first = frame(sides_[row].first, w);
     const SpatialFrame<T>& second = frame(sides_[row].second, w);
     std::visit(
-        [&](const auto& constraint) {
-          in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); });
-        },
+        [&](const auto& constraint) { in_one_piece<T>([&] { constraint.evaluate(first, second, t, &w.rows[row]); }); },
         constraints_[c].constraint);
   }
 

@@ -7,6 +7,8 @@
 #include "lubjoint/multibody/envelope_cholesky.hpp"
 #include "lubjoint/multibody/spatial/constraint_row.hpp"
 #include "lubjoint/multibody/spatial/joint_element.hpp"
+#include "lubjoint/multibody/spatial/turn_history.hpp"
+#include "lubjoint/multibody/table_curves.hpp"
 
 namespace lubjoint {
 
@@ -46,13 +48,17 @@ struct SpatialWorkspace {
   SpatialFrame<T> ground = spatial_ground_frame<T>();  ///< what stands in for a body
   std::vector<SpatialRow<T>> rows;                     ///< of Φ = 0, those that are left out as well
   std::vector<SpatialJointForce<T>> joints;            ///< what each joint does
-  std::vector<T> forces;                       ///< f inertial, n′ − ω̃′J′ω′ in the body's frame; with
-                                               ///< derivatives, these alone
-  std::vector<T> accelerations;                ///< (r̈, ω̇′) of each body
-  std::vector<T> multipliers;                  ///< λ; 0 of rows that are left out
-  std::vector<std::array<R, 6>> weighted;      ///< M⁻¹ times the columns of each side of each row
-  EnvelopeCholesky<R> schur;                   ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
-  std::vector<R> kept;                         ///< work of a solve
+  std::vector<T> forces;                   ///< f inertial, n′ − ω̃′J′ω′ in the body's frame; with
+                                           ///< derivatives, these alone
+  std::vector<T> accelerations;            ///< (r̈, ω̇′) of each body
+  std::vector<T> multipliers;              ///< λ; 0 of rows that are left out
+  std::vector<std::array<R, 6>> weighted;  ///< M⁻¹ times the columns of each side of each row
+  EnvelopeCholesky<R> schur;               ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
+  std::vector<R> kept;                     ///< work of a solve
+  /// What counts revolutions of angles; none: angles are those of the revolution of their zero.
+  const TurnHistory<R>* turns = nullptr;
+  /// Of the tables of moving loads, one a load, where they are held; else null.
+  const std::vector<TablePiece>* table_pieces = nullptr;
   detail::SpatialDifferentiation<T> implicit;  ///< derivatives through the solve
 };
 
