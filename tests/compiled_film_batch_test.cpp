@@ -1,10 +1,9 @@
 // Films that are tables, over arrays: the bits of one state, and the errors of the other laws' batches.
-#include <bit>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "lubjoint/film/batch.hpp"
 #include "support/compiled_films.hpp"
+#include "support/force_rows.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::test;
@@ -14,7 +13,6 @@ namespace {
 
 const Bearing<double> bearing(0.01, 0.01, 1e-4);  // L/D = ½, which ships
 const Lubricant<double> oil(0.1);
-constexpr double untouched = 12345;
 
 template <class Law>
 Law shipped() {
@@ -58,25 +56,6 @@ struct Rows {
   PolarStateArrays polar() const { return {epsilon, a, b}; }
   JournalMotionArrays motions() const { return {mx, my, vx, vy, wb, wj}; }
 };
-
-struct Forces {
-  std::vector<double> first, second;
-  explicit Forces(std::size_t n) : first(n, untouched), second(n, untouched) {}
-  operator ForceArrays() { return {first, second}; }
-};
-
-bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
-
-/// Rows whose bits differ from what force(i) gives.
-template <class Force>
-std::size_t differing_rows(const Forces& found, const Force& force) {
-  std::size_t differing = 0;
-  for (std::size_t i = 0; i < found.first.size(); ++i) {
-    const Vector2<double> one = force(i);
-    differing += !same_bits(found.first[i], one.x()) || !same_bits(found.second[i], one.y());
-  }
-  return differing;
-}
 
 }  // namespace
 

@@ -1,10 +1,9 @@
 // Batch evaluation against the functions for one state: the same bits, the same errors.
-#include <bit>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/law_list.hpp"
+#include "support/force_rows.hpp"
 #include "support/golden.hpp"
 
 using namespace lubjoint;
@@ -15,7 +14,6 @@ namespace {
 
 const Bearing<double> bearing(0.04, 0.0098, 0.0002);
 const Lubricant<double> oil(0.4);
-constexpr double untouched = 12345;
 
 /// States of all three kinds, the same in each row up to rounding.
 struct Rows {
@@ -93,25 +91,6 @@ std::vector<InstructionSet> available_sets() {
     if (is_available(set)) sets.push_back(set);
   }
   return sets;
-}
-
-struct Forces {
-  std::vector<double> first, second;
-  explicit Forces(std::size_t n) : first(n, untouched), second(n, untouched) {}
-  operator ForceArrays() { return {first, second}; }
-};
-
-bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
-
-/// Rows whose bits differ from what force(i) gives.
-template <class Force>
-std::size_t differing_rows(const Forces& found, const Force& force) {
-  std::size_t differing = 0;
-  for (std::size_t i = 0; i < found.first.size(); ++i) {
-    const Vector2<double> one = force(i);
-    if (!same_bits(found.first[i], one.x()) || !same_bits(found.second[i], one.y())) ++differing;
-  }
-  return differing;
 }
 
 void check_bits(const Rows& rows) {

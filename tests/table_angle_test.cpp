@@ -173,9 +173,9 @@ TEST_CASE("table of an angle: integrators keep their orders across knots that a 
   };
   constexpr auto absolute = SceneCoordinates::absolute;
   constexpr auto independent = SceneCoordinates::independent;
-  for (const Case& start :
-       {Case{2, 0, absolute, false}, Case{3, -14, absolute, false}, Case{2, 0, independent, false},
-        Case{3, -14, independent, false}, Case{2, 0, absolute, true}, Case{3, -14, absolute, true}}) {
+  for (const Case& start : {Case{2, 0, absolute, false}, Case{3, -14, absolute, false}, Case{2, 0, independent, false},
+                            Case{3, -14, independent, false}, Case{2, 0, absolute, true}, Case{3, -14, absolute, true},
+                            Case{2, 0, independent, true}, Case{3, -14, independent, true}}) {
     const double angle = start.angle;
     Scene scene = in_the_well(angle, start.spin);
     const std::array<double, 2> exact = reference(scene);

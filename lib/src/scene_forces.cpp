@@ -36,13 +36,8 @@ RotationalSpring<double> read_rotational(TableReader& table, const Scene& scene)
 TranslationalSpring<double> read_translational_spring(TableReader& table, const Scene& scene) {
   TranslationalSpring<double> spring{
       read_anchor(table.table("first"), scene), read_anchor(table.table("second"), scene), 0, 0, 0, 0};
-  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
+  require_two_ends(table, spring, [&](const SceneAnchor& end) { return position_of(end, scene); });
   read_translational_terms(table, spring);
-  // A start may be moved onto its constraints: what is left to rounding there is looked at again before the run.
-  if (position_of(spring.first, scene) == position_of(spring.second, scene)) {
-    table.refuse("second", "where first is: the spring has length 0, and so no direction",
-                 "a point at a distance above 0 at t = 0");
-  }
   return spring;
 }
 

@@ -48,6 +48,17 @@ void read_translational_terms(TableReader& table, Spring& spring) {
     table.refuse("stiffness", "0 in a spring without damping or preload", "a spring that does something");
 }
 
+/// A spring between points needs a direction. @param place  of an end at the start as the file has it, which may be
+/// moved onto its constraints: what is left to rounding there is looked at again before the run
+template <class Spring, class Place>
+void require_two_ends(const TableReader& table, const Spring& spring, const Place& place) {
+  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
+  if (place(spring.first) == place(spring.second)) {
+    table.refuse("second", "where first is: the spring has length 0, and so no direction",
+                 "a point at a distance above 0 at t = 0");
+  }
+}
+
 /// A spring of a scene whose constraints are known.
 SceneSpring read_spring(TableReader table, const Scene& scene);
 /// A sensor of a scene whose constraints and springs are known.

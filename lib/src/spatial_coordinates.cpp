@@ -1,13 +1,10 @@
 #include "lubjoint/scene/spatial_coordinates.hpp"
 
-#include <algorithm>
 #include <array>
-#include <variant>
 
 #include "lubjoint/motion/in_space.hpp"
 #include "lubjoint/motion/independent_integrator.hpp"
 #include "lubjoint/ode/integrators.hpp"
-#include "lubjoint/scene/scene_file.hpp"
 
 namespace lubjoint {
 
@@ -25,21 +22,6 @@ std::unique_ptr<Integrator<double, run_time_size>> method_of_size(const std::str
 }  // namespace
 
 CoordinatesChoice choose_coordinates(const SpatialScene& scene, const SpatialSystem<double>& system) {
-  const auto& elements = system.elements();
-  const bool counts = std::any_of(elements.springs.begin(), elements.springs.end(),
-                                  [](const auto& each) {
-                                    return std::holds_alternative<SpatialRotationalSpring<double>>(each.spring);
-                                  }) ||
-                      std::any_of(elements.loads.begin(), elements.loads.end(), [](const auto& each) {
-                        const auto* table = std::get_if<SpatialTableLoad<double>>(&each);
-                        return table != nullptr && table->of_angle;
-                      });
-  if (counts && scene.coordinates == SceneCoordinates::independent) {
-    throw SceneError(scene.file +
-                     ": coordinates is \"independent\" beside a spring about a pin or a table over an angle, whose "
-                     "revolutions are counted in absolute ones; allowed is \"absolute\", or \"auto\"");
-  }
-  if (counts) return {false, "forces that depend on angles counted through revolutions"};
   return choose_coordinates(
       {scene.coordinates, scene.stabilisation, scene.file, system.velocities(), system.kept().size()});
 }

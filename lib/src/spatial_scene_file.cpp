@@ -155,16 +155,10 @@ SpatialRotationalSpring<double> read_about(TableReader& table, SpatialScene& sce
 SpatialTranslationalSpring<double> read_between_points(TableReader& table, const SpatialScene& scene) {
   SpatialTranslationalSpring<double> spring{
       read_spatial_point(table.table("first"), scene), read_spatial_point(table.table("second"), scene), 0, 0, 0, 0};
-  if (spring.first.body == spring.second.body) table.refuse("second", "on the same body as first", "another body");
-  read_translational_terms(table, spring);
-  const auto place = [&](const SpatialBodyPoint<double>& at) {
+  require_two_ends(table, spring, [&](const SpatialBodyPoint<double>& at) {
     return point_motion(frame_at_start(scene, at.body), at.point).position;
-  };
-  // A start may be moved onto its constraints: what is left to rounding there is looked at again before the run.
-  if (place(spring.first) == place(spring.second)) {
-    table.refuse("second", "where first is: the spring has length 0, and so no direction",
-                 "a point at a distance above 0 at t = 0");
-  }
+  });
+  read_translational_terms(table, spring);
   return spring;
 }
 

@@ -103,6 +103,8 @@ struct InPlane {
 
   /// Makes places what they must be apart from constraints: any are.
   static void normalise(std::size_t, R*) {}
+  /// Makes a step's end go on from its start: angles in the plane do.
+  static void go_on_from(const std::vector<R>&, const R&, std::size_t, std::vector<R>&) {}
   /// Moves the places of a part by its displacements by(i).
   template <class By>
   static void displace(const Chart&, const Part& part, const By& by, R* q) {

@@ -95,6 +95,33 @@ struct InSpace {
   static void normalise(std::size_t bodies, R* q) {
     for (std::size_t b = 0; b < bodies; ++b) turn(zero_vector<R>(), q + coordinates * b);
   }
+  /// Gives each p of a step's end y the sign with which it goes on from the step's start: a search for places may turn
+  /// a body by whole revolutions more or less. Between its ends a step's p is near the cubic that both ends say, whose
+  /// middle has |p| near 1 with that sign alone. @param h  of the step [s]
+  static void go_on_from(const std::vector<R>& start, const R& h, std::size_t bodies, std::vector<R>& y) {
+    using std::abs;
+    struct End {
+      EulerParameters<R> p, rate;
+    };
+    const auto end = [bodies](const std::vector<R>& of, std::size_t b) {
+      const SpatialMotion<R> motion = spatial_motion_in(of.data(), bodies, b);
+      return End{motion.parameters, euler_rate(motion.parameters, motion.body_spin)};
+    };
+    for (std::size_t b = 0; b < bodies; ++b) {
+      const End from = end(start, b);
+      const End to = end(y, b);
+      const auto miss = [&](int sign) {  // of |p|² in the middle
+        R square(0);
+        for (Eigen::Index k = 0; k < 4; ++k) {
+          const R middle = (from.p(k) + sign * to.p(k)) / 2 + h / 8 * (from.rate(k) - sign * to.rate(k));
+          square += middle * middle;
+        }
+        return R(abs(square - 1));
+      };
+      if (!(miss(-1) < miss(1))) continue;
+      for (std::size_t k = 3; k < coordinates; ++k) y[coordinates * b + k] = -y[coordinates * b + k];
+    }
+  }
   /// Moves the places of a part by its displacements by(i).
   template <class By>
   static void displace(const Chart& chart, const Part& part, const By& by, R* q) {

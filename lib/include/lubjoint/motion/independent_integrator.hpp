@@ -59,6 +59,7 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
         return false;
       }
       small_.expand(t, x_, stepped_);
+      In::go_on_from(start_, R(t - before), ode_.system().bodies().size(), stepped_);
     } catch (const std::domain_error&) {
       t = before;
       dt /= 2;

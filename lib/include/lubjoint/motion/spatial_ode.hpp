@@ -21,6 +21,8 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
 
   /// @param system  kept by reference;  @param with_ledger  integrate the work of each term, too
   SpatialOde(const SpatialSystem<R>& system, bool with_ledger);
+  SpatialOde(const SpatialOde&) = delete;
+  SpatialOde& operator=(const SpatialOde&) = delete;
 
   const SpatialSystem<R>& system() const { return system_; }          ///< whose equations these are
   bool with_ledger() const { return with_ledger_; }                   ///< is the work integrated?

@@ -107,10 +107,10 @@ class SpatialRun {
 
   /// Follows the angles through a step as closely as its extremes are looked for.
   void count_turns(const MultibodyStep<R>& step) {
-    const auto looks = static_cast<double>(method_->looks_inside());
+    const std::size_t looks = method_->looks_inside();
     State y;
-    for (double i = 1; i < looks; ++i) {
-      const R t = step.t_old + (step.t_new - step.t_old) * R(i / looks);
+    for (std::size_t i = 1; i < looks; ++i) {
+      const R t = step.t_old + (step.t_new - step.t_old) * R(static_cast<double>(i) / static_cast<double>(looks));
       spatial_state_at<R>(step, ode_.system().bodies().size(), t, y);
       ode_.count_turns(t, y);
     }

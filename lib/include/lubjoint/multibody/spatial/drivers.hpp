@@ -11,8 +11,9 @@ namespace detail {
 
 /// The row of a prescribed turn.
 ///   Φ = θ − f(t), of the revolution that is nearest to f: θ is counted through revolutions, not reduced, as long as
-///   the motor is off by less than half a turn;   Φ̇ = (ω_j − ω_i)·a − ḟ; γ = f̈ − (C S̈₀ − S C̈₀)/ρ² + 2(CĊ + SṠ)(CṠ −
-///   SĊ)/ρ⁴,  S̈₀ and C̈₀ without ω̇ (symbols as in turn.hpp)
+///   the motor is off by less than half a turn
+///   Φ̇ = (ω_j − ω_i)·a − ḟ
+///   γ = f̈ − (C S̈₀ − S C̈₀)/ρ² + 2(CĊ + SṠ)(CṠ − SĊ)/ρ⁴,  S̈₀ and C̈₀ without ω̇ (symbols as in turn.hpp)
 template <class R, class T, class Time>
 void fill_turn(const BetweenAxes<R>& joint, const PrescribedMotion<R>& motion, const SpatialFrame<T>& body_i,
                const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>& row) {

@@ -96,7 +96,7 @@ struct SpatialTableLoad {
     const auto from = [&](const auto& values) {
       const SpatialFrame<T>& frame = in.frame(at.body);
       const auto acting = [&](std::size_t k) {
-        const Vector3<T> given(T(values[k]), T(values[k + 1]), T(values[k + 2]));
+        const Vector3<T> given{T{values[k]}, T{values[k + 1]}, T{values[k + 2]}};
         return turns_with_body ? product(frame.rotation, given) : given;
       };
       const Vector3<T> f = acting(0);

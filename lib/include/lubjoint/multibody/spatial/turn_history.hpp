@@ -53,6 +53,9 @@ class TurnHistory {
       ends_.push_back({nearest_turn(at.angle, place), at.rate});
     }
     times_.push_back(t);
+    if (times_.size() < 2 * remembered) return;
+    times_.erase(times_.begin(), times_.begin() + remembered);
+    ends_.erase(ends_.begin(), ends_.begin() + static_cast<std::ptrdiff_t>(remembered * angles_));
   }
 
   /// The motion of an angle at t. @param motion  motion(near), as above; its rate does not depend on near
@@ -75,6 +78,8 @@ class TurnHistory {
     R angle;
     R rate;
   };
+  static constexpr std::ptrdiff_t remembered = 1024;  ///< last times at least: looks back are into the last step
+
   static R most_turned() { return R(0.75) * pi<R>(); }
   [[noreturn]] static void refuse() {
     throw AngleNotCounted("a body turns by too much in a step for its revolutions to be counted");
