@@ -202,7 +202,7 @@ TEST_CASE("a run without a half film enters no function of its jump, one with en
   const std::string with =
       entered_by(folder.write("half.toml", changed(text, "film = \"pinkus_sternlicht\"", "film = \"long_half\"")));
   for (const std::string name :
-       {"slip_of_motion", "hold_slides", "differentiate_slides", "project_onto_slides", "::on_jump", "::margins"}) {
+       {"slip_of_placed", "hold_slides", "differentiate_slides", "project_onto_slides", "::on_jump", "::margins"}) {
     INFO(name);
     CHECK(has(with, name));
     CHECK_FALSE(has(without, name));

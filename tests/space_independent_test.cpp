@@ -303,11 +303,27 @@ TEST_CASE("independent in space: ż of a chart's functions is the rate of z, and
 }
 
 TEST_CASE("independent in space: the exact Jacobian and slope in time are those of differences of longer numbers") {
-  const std::vector<SpatialScene> all = {embedded_slider_crank(), shipped("spatial-slider-crank"), shipped("engine"),
-                                         shipped("top")};
-  for (const SpatialScene& scene : all) {
+  std::vector<SpatialScene> all = {embedded_slider_crank(), shipped("spatial-slider-crank"), shipped("engine"),
+                                   shipped("top")};
+  const std::size_t half_films = all.size();  // from here on, which slide on their jump
+  for (const char* law : {"short_half", "long_half"}) {
+    for (const std::size_t i : {0u, 1u}) {
+      all.push_back(all[i]);
+      all.back().name += std::string(" with ") + law;
+      all.back().joints[0].plane.film = law;
+      if (i == 1) all.back().joints[0].plane.shear = ShearExtent::film;
+    }
+  }
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    const SpatialScene& scene = all[number];
     CAPTURE(scene.name);
     Prepared<Long> prepared(scene, true);
+    if (number >= half_films) {
+      JointMemory<Long>& memory = prepared.ode.memory()[0];
+      memory.side = FilmSide::sliding;
+      memory.line = direction(Vector2<Long>(Long(0.6), Long(-0.3)));
+      memory.line_angle = Long(0.2);
+    }
     SmallOde<Long> small(prepared.ode, prepared.units);
     small.choose(Long(0), prepared.start);
     const std::vector<Long> x = moved(small, prepared, scene, 7);

@@ -245,6 +245,79 @@ TEST_CASE("space: the Jacobian is exact, by differences of longer numbers") {
   }
 }
 
+TEST_CASE("space: the Jacobian of a journal that slides on its half film's jump is exact, and it stays on its line") {
+  for (const char* file : {"engine", "spatial-slider-crank"}) {  // two films, of which one slides; one with a shear
+    SpatialScene scene = load_spatial_scene(scenes + std::string(file) + ".toml");
+    scene.joints[0].plane.film = "short_half";
+    if (scene.joints.size() == 1) scene.joints[0].plane.shear = ShearExtent::film;
+    const auto prepared = prepare_spatial(scene);
+    SpatialOde<double> ode(prepared.system, true);
+    std::vector<double> y = prepared.start;
+    y.resize(ode.dimension(), 0.0);
+    const std::size_t moves = 7 * scene.bodies.size();
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += i < moves ? 1e-6 * number(random) : number(random);  // off it all
+    JointMemory<double> memory;
+    memory.side = FilmSide::sliding;
+    memory.line = direction(Vector2<double>(0.6, -0.3));
+    memory.line_angle = 0.2;
+    ode.memory()[0] = memory;
+    const double t = 1e-4;
+    Eigen::MatrixXd jacobian;
+    ode.jacobian(y, jacobian, t);
+    std::vector<double> slope(y.size());
+    ode.time_slope(y, slope, t);
+    const auto longer = spatial_system<Long>(scene);
+    auto w = longer.workspace<Long>();
+    std::vector<JointMemory<Long>> memories(scene.joints.size());
+    memories[0].side = FilmSide::sliding;
+    memories[0].line = memory.line.cast<Long>();
+    memories[0].line_angle = memory.line_angle;
+    const auto at = [&](std::size_t column, const Long& by) {
+      std::vector<Long> x(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(longer.states()));
+      if (column < x.size()) x[column] += by;
+      longer.evaluate(Long(column < x.size() ? Long(t) : Long(t + by)), x.data(), memories, w);
+      return w.accelerations;
+    };
+    for (std::size_t column = 0; column <= longer.states(); ++column) {
+      const bool of_time = column == longer.states();
+      const Long h = 1e-20;  // of fifty digits, of clearances of 1e-4 m: differences have twenty good ones
+      const auto above = at(column, h);
+      const auto below = at(column, -h);
+      for (std::size_t i = 0; i < above.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(moves + i);
+        const double wanted = static_cast<double>(Long((above[i] - below[i]) / (2 * h)));
+        const double given = of_time ? slope[moves + i] : jacobian(row, static_cast<Eigen::Index>(column));
+        // Of what film and constraints do to the row, and what cancels in the column.
+        double size = 1 + std::max(std::abs(wanted), jacobian.row(row).cwiseAbs().maxCoeff());
+        if (!of_time) size = std::max(size, jacobian.col(static_cast<Eigen::Index>(column)).cwiseAbs().maxCoeff());
+        INFO(file << ": row " << row << ", column " << column << ": " << given << " and " << wanted);
+        CHECK(std::abs(given - wanted) < 1e-8 * size);  // rounding, by the condition of constraints and line, some 1e7
+      }
+    }
+    // Φ̈ of its line: the slope of Φ̇ along the motion.
+    const auto rate_across = [&](const std::vector<double>& at, double time) {
+      const SpatialWorkspace<double>& w = ode.at(time, at);
+      REQUIRE(w.slides.size() == 1);
+      const double* v = at.data() + moves;
+      return detail::across_line(prepared.system, w.slides[0], [v](std::size_t i) { return v[i]; });
+    };
+    std::vector<double> rate(y.size()), later = y, earlier = y;
+    ode.rate(y, rate, t);
+    double largest = 0;
+    for (std::size_t i = moves; i < ode.mechanical_states(); ++i) largest = std::max(largest, std::abs(rate[i]));
+    const double h = 1e-8;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      later[i] += h * rate[i];
+      earlier[i] -= h * rate[i];
+    }
+    const double bent = (rate_across(later, t + h) - rate_across(earlier, t - h)) / (2 * h);
+    CHECK(std::abs(bent) < 1e-6 * largest);  // of the accelerations: rounding over h
+  }
+}
+
 TEST_CASE("space: implicit steps solve six equations a body, and give what all thirteen give") {
   SpatialScene scene = load_spatial_scene(scenes + "engine.toml");
   const auto prepared = prepare_spatial(scene);

@@ -87,6 +87,7 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   result.reactions = recorder.reaction_extremes();
   result.sensors = recorder.sensor_extremes();
   result.events = run.events();
+  result.slides = run.slides();
   result.drift = run.drift();
   if (scene.energy_ledger) result.energy_residual = recorder.energy_residual();
   result.energy_scale = recorder.energy_scale();

@@ -31,15 +31,6 @@ std::string laws_of(const Scene& scene) {
   return laws.empty() ? no_film : laws;
 }
 
-/// From when to when a joint's half film slid [s].
-nlohmann::ordered_json slides_json(const MultibodyTrajectory& run, std::size_t joint) {
-  nlohmann::ordered_json sliding = nlohmann::ordered_json::array();
-  for (const JointSlide& slide : run.slides) {
-    if (slide.joint == joint) sliding.push_back({slide.start, slide.end});
-  }
-  return sliding;
-}
-
 /// A value that only joints with contact have.
 nlohmann::ordered_json contact_json(const SceneJoint& joint, double value) {
   return joint.contact ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
@@ -65,6 +56,22 @@ std::string reactions_text(const Scene& scene, const MultibodyTrajectory& run) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json slides_json(const std::vector<JointSlide>& slides, std::size_t joint) {
+  nlohmann::ordered_json sliding = nlohmann::ordered_json::array();
+  for (const JointSlide& slide : slides) {
+    if (slide.joint == joint) sliding.push_back({slide.start, slide.end});
+  }
+  return sliding;
+}
+
+std::string slides_text(const std::vector<JointSlide>& slides, std::size_t joint) {
+  std::string text;
+  for (const JointSlide& slide : slides) {
+    if (slide.joint == joint) text += slide_text(slide.start, slide.end);
+  }
+  return text;
+}
 
 nlohmann::ordered_json driver_extremes_json(const SceneDriver& driver, const DriverExtremes& extremes) {
   const std::string effort = driver.effort;
@@ -124,7 +131,7 @@ nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajector
                       {"max_indentation", contact_json(scene.joints[j], std::max(-gap, 0.0))},
                       {"rebound_ratio", rebound_json(scene.joints[j])},
                       {"squeeze_reynolds_number", squeeze_json(squeeze_reynolds(scene, j, run))},
-                      {"sliding", slides_json(run, j)}});
+                      {"sliding", slides_json(run.slides, j)}});
     joints.back()["motion"] = motion_json(motion_outcome(scene, j, run));
     if (scene.joints[j].shear) add_losses(joints.back()["final"], last.losses);
   }
@@ -188,9 +195,7 @@ std::string summary_text(const Scene& scene, const MultibodyTrajectory& run) {
                           contact->restitution, rebound_ratio(contact->restitution));
     }
     if (scene.joints[j].shear) text += loss_text(last.losses);
-    for (const JointSlide& slide : run.slides) {
-      if (slide.joint == j) text += slide_text(slide.start, slide.end);
-    }
+    text += slides_text(run.slides, j);
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
     const SceneDriver driver = scene_drivers(scene)[d];

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "lubjoint/scene/simulate.hpp"
 
@@ -11,6 +12,10 @@ namespace lubjoint::reports {
 /// The summary that scripts read; keys as documented for `simulate`, and what only such scenes have.
 nlohmann::ordered_json summary_json(const Scene& scene, const MultibodyTrajectory& run);
 std::string summary_text(const Scene& scene, const MultibodyTrajectory& run);
+
+/// From when to when a joint's half film slid [s]: pairs, or a line each.
+nlohmann::ordered_json slides_json(const std::vector<JointSlide>& slides, std::size_t joint);
+std::string slides_text(const std::vector<JointSlide>& slides, std::size_t joint);
 
 /// Peaks of a driver's moment: max_moment, t_max_moment, min_moment, t_min_moment; of one that slides, of its force.
 nlohmann::ordered_json driver_extremes_json(const SceneDriver& driver, const DriverExtremes& extremes);

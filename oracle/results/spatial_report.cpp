@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "lubjoint/joint/rebound.hpp"
 #include "oracle/results/loss_columns.hpp"
@@ -49,7 +50,7 @@ std::string counted(const std::vector<std::string>& names) {
 }
 
 nlohmann::ordered_json joint_json(const SpatialSceneJoint& joint, const SpatialJointSample& last,
-                                  const SpatialJointExtremes& extremes) {
+                                  const SpatialJointExtremes& extremes, nlohmann::ordered_json slides) {
   const double c = joint.plane.clearance;
   const double gap = c - extremes.eccentricity.value;
   nlohmann::ordered_json json{{"name", joint.plane.name},
@@ -72,7 +73,8 @@ nlohmann::ordered_json joint_json(const SpatialSceneJoint& joint, const SpatialJ
                               {"max_sliding", extremes.sliding.value},
                               {"t_max_sliding", extremes.sliding.t},
                               {"max_edge_share", extremes.edge_share.value},
-                              {"t_max_edge_share", extremes.edge_share.t}};
+                              {"t_max_edge_share", extremes.edge_share.t},
+                              {"film_slides", std::move(slides)}};
   if (joint.plane.film != no_film) {
     json["min_film_over_safe"] = std::max(gap, 0.0) / safe_film_thickness(joint.plane);
   }
@@ -89,7 +91,8 @@ nlohmann::ordered_json joint_json(const SpatialSceneJoint& joint, const SpatialJ
 nlohmann::ordered_json summary_json(const SpatialScene& scene, const SpatialTrajectory& run) {
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    joints.push_back(joint_json(scene.joints[j], run.samples.back().joints[j], run.joints[j]));
+    joints.push_back(
+        joint_json(scene.joints[j], run.samples.back().joints[j], run.joints[j], slides_json(run.slides, j)));
   }
   nlohmann::ordered_json drivers = nlohmann::ordered_json::array();
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
@@ -167,6 +170,7 @@ std::string summary_text(const SpatialScene& scene, const SpatialTrajectory& run
                           contact->restitution, rebound_ratio(contact->restitution));
     }
     if (scene.joints[j].plane.shear) text += loss_text(last.losses);
+    text += slides_text(run.slides, j);
   }
   for (std::size_t d = 0; d < run.drivers.size(); ++d) {
     const char* unit = run.driver_turns[d] ? "N m" : "N";

@@ -146,6 +146,10 @@ struct InPlane {
     frame.sine = Seeded(at.sine, Slopes(at.cosine * slopes[2]));
   }
 
+  /// Places of frames that are seeded, into a state: seed has put them there.
+  template <class Seeded>
+  static void take_places(const std::vector<Frame<Seeded>>&, Seeded*) {}
+
   // Forces and masses.
 
   /// Equations read the pieces of tables that a run holds.

@@ -181,6 +181,15 @@ struct InSpace {
     }
   }
 
+  /// Places of frames that are seeded, into a state.
+  template <class Seeded>
+  static void take_places(const std::vector<Frame<Seeded>>& frames, Seeded* q) {
+    for (const Frame<Seeded>& frame : frames) {
+      for (Eigen::Index k = 0; k < 3; ++k) *q++ = frame.position(k);
+      for (Eigen::Index k = 0; k < 4; ++k) *q++ = frame.parameters(k);
+    }
+  }
+
   // Forces and masses.
 
   /// Tables over angles are read by the pieces that the equations hold, and angles by the revolutions they count.
@@ -188,6 +197,7 @@ struct InSpace {
   static void hold_tables(Equations& ode, Workspace<T>& w) {
     if (!ode.table_pieces().empty()) w.table_pieces = &ode.table_pieces();
     if (!ode.turns().empty()) w.turns = &ode.turns();
+    if constexpr (ScalarTraits<T>::carries_derivatives) hold_tables(ode, w.implicit.at);
   }
   /// All forces at the frames. @param correct  as of SpatialSystem::apply_forces
   template <class T, class Time, class Correct>
@@ -195,10 +205,10 @@ struct InSpace {
                            const Correct& correct) {
     system.apply_forces(t, memory, w, System::every_body, correct);
   }
-  /// Half films in space do not slide.
+  /// Do forces hold journals on lines, so that only the whole equations know them?
   template <class T>
-  static constexpr bool slides(const Workspace<T>&) {
-    return false;
+  static bool slides(const Workspace<T>& w) {
+    return !w.slides.empty();
   }
   /// All constraint rows of the frames.
   template <class T, class Time>

@@ -306,6 +306,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     solve_slopes(whole, slopes_);
     for (std::size_t i = 0; i < n_; ++i) v[i].derivatives() = slopes_[i];
     if (In::slides(w_)) {
+      In::take_places(dual_.frames, seeded_.data());
       system_.evaluate(t, seeded_.data(), memory(), dual_);
       chart_.evaluate(dual_, seeded_functions_.data());
       for (std::size_t k = 0; k < f; ++k)

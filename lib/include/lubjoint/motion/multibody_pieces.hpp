@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "lubjoint/motion/contact_events.hpp"
-#include "lubjoint/motion/jump_side.hpp"
-#include "lubjoint/motion/multibody_ode.hpp"
+#include "lubjoint/motion/film_sides.hpp"
+#include "lubjoint/motion/planar_film_bodies.hpp"
 #include "lubjoint/motion/watched_angles.hpp"
 #include "lubjoint/multibody/assembly.hpp"
 #include "lubjoint/run/event_run.hpp"
@@ -43,13 +43,15 @@ class MultibodyPieces {
 
   /// @param tolerance  within which a journal that slides is kept on its line, in clearances
   MultibodyPieces(MultibodyOde<R>& ode, ConstraintUpkeep upkeep, const R& tolerance)
-      : ode_(ode), upkeep_(upkeep), tolerance_(tolerance), knots_(PlanarAngles<R>(ode.system()), ode.table_pieces()) {
+      : ode_(ode),
+        upkeep_(upkeep),
+        tolerance_(tolerance),
+        sides_(PlanarFilmBodies<R>(ode)),
+        knots_(PlanarAngles<R>(ode.system()), ode.table_pieces()) {
     const std::vector<JointElement<R>>& joints = ode.system().joints();
     for (std::size_t j = 0; j < joints.size(); ++j) {
       if (joints[j].has_contact() || joints[j].has_half_film()) watched_.push_back(j);
     }
-    slides_since_.resize(joints.size());
-    unparted_.resize(joints.size(), false);
   }
 
   /// The pieces that a start is in.
@@ -59,24 +61,17 @@ class MultibodyPieces {
       const JournalMotion<R> motion = motion_of(t, y, j);
       ode_.memory()[j] = detail::starting_memory(joint, motion);
     }
-    // A start on the jump is decided with every joint that is off it on its side.
-    for (const bool on_jump : {false, true}) {
-      for (const std::size_t j : watched_) {
-        if (has_side(j) && slip_of(t, y, j).is_on_jump() == on_jump) find_side(t, y, j);
-      }
-    }
+    sides_.start(t, y);
     for (const std::size_t j : watched_) changes_.push_back({t, j, ode_.memory()[j]});
     knots_.start(t, y);
   }
 
   /// Slides that last to the end of the run end with it.
-  void finish(const R& t) {
-    for (const std::size_t j : watched_) end_slide(t, j);
-  }
+  void finish(const R& t) { sides_.finish(t); }
 
-  const std::vector<ContactEvent>& events() const { return events_; }       ///< of contact, in order
-  const std::vector<JointSlide>& slides() const { return slides_; }         ///< of half films, as they ended
-  const std::vector<MemoryChange<R>>& changes() const { return changes_; }  ///< of any memory, the start first
+  const std::vector<ContactEvent>& events() const { return events_; }        ///< of contact, in order
+  const std::vector<JointSlide>& slides() const { return sides_.slides(); }  ///< of half films, as they ended
+  const std::vector<MemoryChange<R>>& changes() const { return changes_; }   ///< of any memory, the start first
   std::size_t changes_after_start() const { return changes_.size() - watched_.size(); }  ///< events of any kind
 
   /// The joint of a margin.
@@ -108,9 +103,7 @@ class MultibodyPieces {
 
   /// Those of joints.
   void add_joint_margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
-    bool slides = false;
-    for (const std::size_t j : watched_) slides = slides || ode_.memory()[j].side == FilmSide::sliding;
-    if (slides) {
+    if (sides_.any_slides()) {
       ode_.at(t, y);
     } else {
       ode_.system().evaluate_kinematics(t, y.data(), ode_.workspace());
@@ -126,30 +119,15 @@ class MultibodyPieces {
       } else {
         list.insert(list.end(), 2, far);
       }
-      if (!has_side(j)) {
-        list.insert(list.end(), 2, far);
-      } else if (ode_.memory()[j].side == FilmSide::sliding) {
-        const Hold hold = hold_of(j);
-        const R size = abs_of(hold.reach) + abs_of(hold.needed);
-        const R rounding = size > 0 ? R(hold.rounding / size) : R(1);
-        list.push_back({size > 0 ? R((hold.reach - hold.needed) / size) : R(0), rounding});
-        list.push_back({size > 0 ? R((hold.reach + hold.needed) / size) : R(0), rounding});
-      } else {
-        const Slip slip = slip_of_motion(motion, j);
-        const R rounding = unparted_[j] ? std::max<R>(slip.rounding, slip.wrong_side) : slip.rounding;
-        list.push_back({part_of(j, slip), rounding});
-        list.push_back(far);
-      }
+      sides_.add_margins(j, far, list);
     }
   }
 
   /// Constraints by projection, where that is their upkeep; journals that slide onto their lines.
   bool hold(const R& t, State& y, bool exactly) {
-    if (!exactly) note_parted(t, y);
+    if (!exactly) sides_.note_parted(t, y);
     const bool projects = upkeep_ == ConstraintUpkeep::by_projection && project(t, y);
-    const bool slides = std::any_of(watched_.begin(), watched_.end(),
-                                    [this](std::size_t j) { return ode_.memory()[j].side == FilmSide::sliding; });
-    if (!slides) return projects;
+    if (!sides_.any_slides()) return projects;
     const R allowed = exactly ? R(0) : tolerance_;
     const bool moved = project_onto_slides(ode_.system(), t, y, ode_.memory(), allowed, ode_.workspace());
     return projects || moved;
@@ -169,15 +147,8 @@ class MultibodyPieces {
       case 1:
         change_phase(t, y, j, true);
         break;
-      case 2:
-        if (ode_.memory()[j].side == FilmSide::sliding) {
-          leave_jump(t, j, FilmSide::converging);
-        } else {
-          leave_side(t, y, j);
-        }
-        break;
       default:
-        leave_jump(t, j, FilmSide::mirrored);
+        sides_.cross(margin % margins_each == 3, t, y, j);
     }
     changes_.push_back({t, j, ode_.memory()[j]});
     return AfterEvent::go_on;
@@ -198,11 +169,6 @@ class MultibodyPieces {
 
   static constexpr std::size_t margins_each = 4;
 
-  static R abs_of(const R& x) {
-    using std::abs;
-    return abs(x);
-  }
-
   static R epsilon() { return std::numeric_limits<R>::epsilon(); }
 
   /// Seams are places in clearances; coordinates may be a thousand clearances long.
@@ -211,232 +177,6 @@ class MultibodyPieces {
   JournalMotion<R> motion_of(const R& t, const State& y, std::size_t j) {
     ode_.system().evaluate_kinematics(t, y.data(), ode_.workspace());
     return ode_.system().journal_motion(j, ode_.workspace());
-  }
-
-  /// Has the joint's film a side now?
-  bool has_side(std::size_t j) const {
-    return ode_.system().joints()[j].has_half_film() && ode_.memory()[j].phase != ContactPhase::dry;
-  }
-
-  // A journal near its jump.
-
-  /// How e and u lie to each other.
-  struct Slip {
-    R sine;           ///< (e × u)/(|e||u|): above 0 where a < 0
-    R rounding;       ///< what rounding of the bodies' places and velocities makes of it
-    R wrong_side;     ///< sine beyond which it is on the other side, whatever the errors of a run
-    Vector2<R> line;  ///< r; along u where e is nothing but rounding
-    bool centred;     ///< is e nothing but rounding?
-    bool at_rest;     ///< is u?
-
-    bool is_on_jump() const { return at_rest || !(abs_of(sine) > rounding); }
-    FilmSide side() const { return sine > 0 ? FilmSide::mirrored : FilmSide::converging; }
-  };
-
-  /// From the frames of the workspace.
-  Slip slip_of_motion(const JournalMotion<R>& motion, std::size_t j) {
-    using std::abs;
-    const JointElement<R>& joint = ode_.system().joints()[j];
-    const R mean_spin = (motion.bearing_spin + motion.journal_spin) / 2;
-    const Vector2<R>& e = motion.eccentricity;
-    const Vector2<R> u(R(motion.velocity.x() + mean_spin * e.y()), R(motion.velocity.y() - mean_spin * e.x()));
-    // e and u are differences of numbers of the size of the mechanism.
-    R place(0);
-    R speed(0);
-    for (const BodyPoint<R>* at : {&joint.bearing_at, &joint.journal_at}) {
-      const R arm = at->point.norm();
-      place += arm;
-      if (at->body == ground_body) continue;
-      const PlanarFrame<R>& frame = ode_.workspace().frames[at->body];
-      place += frame.position.norm();
-      speed += frame.velocity.norm() + abs(frame.spin) * arm;
-    }
-    const R few = 16 * epsilon();
-    const R e_rounding = few * place;
-    const R u_rounding = few * speed + abs(mean_spin) * e_rounding;
-    const R distance = is_zero(e) ? R(0) : norm(e);
-    const R pace = is_zero(u) ? R(0) : norm(u);
-    Slip slip{R(0), R(1), R(1), Vector2<R>(R(1), R(0)), !(distance > e_rounding), !(pace > u_rounding)};
-    if (!slip.centred) {
-      slip.line = direction(e);
-    } else if (!slip.at_rest) {
-      slip.line = direction(u);
-    }
-    if (!slip.centred && !slip.at_rest) {
-      slip.sine = lubjoint::cross(direction(e), direction(u));
-      slip.rounding = few + e_rounding / distance + u_rounding / pace;
-      slip.wrong_side = wrong_side(R(pace / joint.bearing.clearance()), R(abs(mean_spin)));
-    }
-    return slip;
-  }
-
-  Slip slip_of(const R& t, const State& y, std::size_t j) { return slip_of_motion(motion_of(t, y, j), j); }
-
-  /// How far a journal is on its film's side.
-  R part_of(std::size_t j, const Slip& slip) const {
-    return ode_.memory()[j].side == FilmSide::mirrored ? slip.sine : R(-slip.sine);
-  }
-
-  /// A side begins on a = 0 and may part from it slowly, by less than the errors of the run. It ends at a = 0 once it
-  /// has parted; before that, where it is wrong beyond any error.
-  void note_parted(const R& t, const State& y) {
-    for (const std::size_t j : watched_) {
-      if (!unparted_[j]) continue;
-      const bool sided = has_side(j) && ode_.memory()[j].side != FilmSide::sliding;
-      if (!sided) {
-        unparted_[j] = false;
-        continue;
-      }
-      const Slip slip = slip_of(t, y, j);
-      unparted_[j] = !(part_of(j, slip) > slip.rounding);
-    }
-  }
-
-  /// Of a journal that slides.
-  struct Hold {
-    R needed;    ///< tangential force along t that keeps a = 0 [N]
-    R reach;     ///< X, what the film has for it [N]
-    R rounding;  ///< of the first [N]
-  };
-
-  /// From an evaluated workspace.
-  Hold hold_of(std::size_t j) {
-    using std::max;
-    const SystemWorkspace<R>& w = ode_.workspace();
-    const auto slide = std::find_if(w.slides.begin(), w.slides.end(), [j](const auto& s) { return s.joint == j; });
-    const JointElement<R>& joint = ode_.system().joints()[j];
-    const R share = joint.film_share(w.joints[j].kinematics.motion, ode_.memory()[j]);
-    R size(0);
-    for (std::size_t i = 0; i < w.forces.size(); i += 3) {
-      const R inertial = w.accelerations[i] / ode_.system().inverse_mass(i / 3)[0];
-      size = max(size, max(abs_of(w.forces[i]), abs_of(inertial)));
-    }
-    // Seen along its line a journal beyond the centre has its tangential direction reversed.
-    const R needed = slide->place.along < 0 ? R(-slide->force) : slide->force;
-    return {needed, share * joint.jump_force(slide->place).reach, 64 * epsilon() * size};
-  }
-
-  /// Filippov's rule at a = 0: where the tangential force that keeps it lies inside the jump, the journal slides; else
-  /// the film goes to the side to which all other forces drive it. A journal at rest is looked at a moment later, when
-  /// its acceleration has given it a direction.
-  /// @param line  of the slide that is looked at: set
-  /// @param repelled  the side where the jump pushes the journal away to both: either would do
-  FilmSide side_from_jump(const R& t, const State& y, std::size_t j, Vector2<R>& line, FilmSide repelled) {
-    const Slip slip = slip_of(t, y, j);
-    line = slip.line;
-    JointMemory<R>& memory = ode_.memory()[j];
-    const JointMemory<R> before = memory;
-    FilmSide side = repelled;
-    try {
-      R later = t;
-      State ahead = y;
-      if (slip.at_rest) {
-        memory.side = FilmSide::of_slip;
-        advance_from_rest(later, ahead, j, line);
-      }
-      begin_slide(y, j, line);
-      ode_.at(later, ahead);
-      const Hold hold = hold_of(j);
-      if (hold.reach > 0 && abs_of(hold.needed) <= hold.reach) {
-        side = FilmSide::sliding;
-      } else if (abs_of(hold.needed) > abs_of(hold.reach)) {
-        side = hold.needed > 0 ? FilmSide::converging : FilmSide::mirrored;
-      }
-    } catch (const std::domain_error&) {  // so near the wall that on its line the journal is at it, to rounding
-    }
-    memory = before;
-    return side;
-  }
-
-  /// A moment on, in which the journal moves by next to nothing of its clearance. At the centre the line is that of the
-  /// relative acceleration of journal and bearing.
-  void advance_from_rest(R& t, State& y, std::size_t j, Vector2<R>& line) {
-    using std::abs;
-    using std::sqrt;
-    const JointElement<R>& joint = ode_.system().joints()[j];
-    const SystemWorkspace<R>& w = ode_.at(t, y);
-    const JournalMotion<R>& motion = w.joints[j].kinematics.motion;
-    const Vector2<R> acceleration = acceleration_of(joint.journal_at, w) - acceleration_of(joint.bearing_at, w);
-    const R clearance = joint.bearing.clearance();
-    const R pull = is_zero(acceleration) ? R(0) : norm(acceleration);
-    const R fastest = std::max<R>(abs(motion.bearing_spin + motion.journal_spin) / 2, sqrt(R(pull / clearance)));
-    if (!(fastest > 0)) return;  // nothing will ever move it
-    const bool centred = slip_of_motion(motion, j).centred;
-    if (centred && pull > 0) line = direction(acceleration);
-    const R moment = R(1e-6) / fastest;
-    const std::size_t n = coordinates();
-    for (std::size_t i = 0; i < n; ++i) {
-      y[i] += moment * (y[n + i] + moment * w.accelerations[i] / 2);
-      y[n + i] += moment * w.accelerations[i];
-    }
-    t += moment;
-  }
-
-  /// r̈ + φ̈ s⊥ − φ̇² s of an evaluated workspace.
-  Vector2<R> acceleration_of(const BodyPoint<R>& at, const SystemWorkspace<R>& w) const {
-    if (at.body == ground_body) return Vector2<R>(R(0), R(0));
-    const R* a = &w.accelerations[3 * at.body];
-    const PlanarFrame<R>& frame = w.frames[at.body];
-    const Vector2<R> s = inertial_vector(frame, at.point);
-    const R square = frame.spin * frame.spin;
-    return Vector2<R>(R(a[0] - a[2] * s.y() - square * s.x()), R(a[1] + a[2] * s.x() - square * s.y()));
-  }
-
-  // Changes of a joint's memory.
-
-  void begin_slide(const State& y, std::size_t j, const Vector2<R>& line) {
-    JointMemory<R>& memory = ode_.memory()[j];
-    memory.side = FilmSide::sliding;
-    memory.line = line;
-    const JointElement<R>& joint = ode_.system().joints()[j];
-    memory.line_angle = R(0);
-    for (const std::size_t body : {joint.bearing_at.body, joint.journal_at.body}) {
-      if (body != ground_body) memory.line_angle += y[3 * body + 2] / 2;
-    }
-  }
-
-  void enter_side(const R& t, const State& y, std::size_t j, FilmSide side, const Vector2<R>& line) {
-    if (side == FilmSide::sliding) {
-      begin_slide(y, j, line);
-      slides_since_[j] = t;
-    } else {
-      ode_.memory()[j].side = side;
-    }
-  }
-
-  void end_slide(const R& t, std::size_t j) {
-    if (ode_.memory()[j].side != FilmSide::sliding) return;
-    slides_.push_back({j, static_cast<double>(slides_since_[j]), static_cast<double>(t)});
-  }
-
-  /// A side that ends at a = 0; or, of one that has not parted from it, where it is wrong beyond any error: a step of
-  /// loose tolerance has brought the journal to the other side.
-  void leave_side(const R& t, const State& y, std::size_t j) {
-    const Slip slip = slip_of(t, y, j);
-    if (abs_of(slip.sine) > std::max<R>(slip.rounding, slip.wrong_side)) {
-      ode_.memory()[j].side = slip.side();
-      unparted_[j] = false;
-      return;
-    }
-    const FilmSide other = ode_.memory()[j].side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
-    Vector2<R> line;
-    enter_side(t, y, j, side_from_jump(t, y, j, line, other), line);
-    unparted_[j] = true;
-  }
-
-  void leave_jump(const R& t, std::size_t j, FilmSide side) {
-    end_slide(t, j);
-    ode_.memory()[j].side = side;
-    unparted_[j] = true;
-  }
-
-  void find_side(const R& t, const State& y, std::size_t j) {
-    const Slip slip = slip_of(t, y, j);
-    Vector2<R> line = slip.line;
-    const bool on_jump = slip.is_on_jump();
-    const FilmSide side = on_jump ? side_from_jump(t, y, j, line, FilmSide::converging) : slip.side();
-    enter_side(t, y, j, side, line);
-    unparted_[j] = on_jump;
   }
 
   void change_phase(const R& t, const State& y, std::size_t j, bool outwards) {
@@ -453,8 +193,8 @@ class MultibodyPieces {
                        0};
     detail::enter_phase(joint, memory, event.to, speed);
     if (joint.has_half_film()) {
-      if (event.to == ContactPhase::dry) leave_jump(t, j, FilmSide::of_slip);
-      if (event.from == ContactPhase::dry) find_side(t, y, j);
+      if (event.to == ContactPhase::dry) sides_.leave(t, j, FilmSide::of_slip);
+      if (event.from == ContactPhase::dry) sides_.find(t, y, j);
     }
     const Vector2<R> after = ode_.at(t, y).joints[j].total();
     event.force_before = static_cast<double>(before.norm());
@@ -466,12 +206,10 @@ class MultibodyPieces {
   ConstraintUpkeep upkeep_;
   State projected_;  ///< a copy: a projection that fails leaves nothing behind
   R tolerance_;
+  FilmSides<PlanarFilmBodies<R>> sides_;
   TableKnots<R, PlanarAngles<R>> knots_;
   std::vector<std::size_t> watched_;  ///< joints with pieces
-  std::vector<R> slides_since_;       ///< of each joint
-  std::vector<bool> unparted_;        ///< of each joint: is it on a side that has not left a = 0 yet?
   std::vector<ContactEvent> events_;
-  std::vector<JointSlide> slides_;
   std::vector<MemoryChange<R>> changes_;
 };
 

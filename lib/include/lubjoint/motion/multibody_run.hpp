@@ -186,10 +186,7 @@ class MultibodyRun {
         return nearest() + (touches ? "a contact of " : "a change of the film's side of ") + joint() +
                " can't be located; use a tighter tolerance";
       case RunEnd::stuck:
-        return nearest() + joint() +
-               (touches ? " can't leave a seam of its contact"
-                        : " can't leave the jump of its half film at a = 0; use a law without a jump, such as "
-                          "a dynamic one");
+        return nearest() + joint() + (touches ? " can't leave a seam of its contact" : detail::stuck_on_jump_words());
       default:
         return detail::no_step_reason(ode_, t_, y_);
     }

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "lubjoint/motion/contact_events.hpp"
-#include "lubjoint/motion/jump_side.hpp"
+#include "lubjoint/motion/film_sides.hpp"
 #include "lubjoint/motion/multibody_pieces.hpp"
-#include "lubjoint/motion/spatial_ode.hpp"
+#include "lubjoint/motion/spatial_film_bodies.hpp"
 #include "lubjoint/motion/spatial_watched_angles.hpp"
 #include "lubjoint/multibody/spatial/assembly.hpp"
 #include "lubjoint/run/event_run.hpp"
@@ -18,8 +19,7 @@ namespace lubjoint {
 
 /// A system in space as a run sees it. Each joint that may touch, or whose half film jumps, has a piece of its own. A
 /// film whose edge meets its wall, |e| + ψL/2 = c, is outside the model where the joint has no contact: the run ends
-/// there, by handing over to nothing. So does one that would slide on the jump of a half film, whose force drives it
-/// back from either side.
+/// there, by handing over to nothing.
 template <class R>
 class SpatialPieces {
  public:
@@ -30,13 +30,15 @@ class SpatialPieces {
   static constexpr std::size_t looks_each = 2;             ///< a journal may touch and leave within a short time
 
   /// @param norm_error  of Euler parameters, ||p| − 1|, that may stay
-  SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep, double norm_error)
+  /// @param tolerance  within which a journal that slides is kept on its line, in clearances
+  SpatialPieces(SpatialOde<R>& ode, ConstraintUpkeep upkeep, double norm_error, const R& tolerance)
       : ode_(ode),
         upkeep_(upkeep),
         norm_error_(norm_error),
+        tolerance_(tolerance),
+        sides_(SpatialFilmBodies<R>(ode)),
         knots_(SpatialAngles<R>(ode), ode.table_pieces()),
-        rooms_(ode.system().joints().size()),
-        unparted_(ode.system().joints().size(), false) {
+        rooms_(ode.system().joints().size()) {
     for (const SpatialJointElement<R>& joint : ode.system().joints()) {
       has_pieces_ = has_pieces_ || joint.plane.has_contact() || joint.plane.has_half_film();
     }
@@ -50,12 +52,16 @@ class SpatialPieces {
     for (std::size_t j = 0; j < ode_.memory().size(); ++j) {
       const SpatialJointElement<R>& joint = ode_.system().joints()[j];
       ode_.memory()[j] = detail::starting_memory(joint.plane, motion_of(y, j));
-      if (has_side(j)) find_side(y, j);
-      changes_.push_back({t, j, ode_.memory()[j]});
     }
+    sides_.start(t, y);
+    for (std::size_t j = 0; j < ode_.memory().size(); ++j) changes_.push_back({t, j, ode_.memory()[j]});
     starts_ = changes_.size();
   }
 
+  /// Slides that last to the end of the run end with it.
+  void finish(const R& t) { sides_.finish(t); }
+
+  const std::vector<JointSlide>& slides() const { return sides_.slides(); }      ///< of half films, as they ended
   const std::vector<ContactEvent>& events() const { return events_; }            ///< of contact, in order
   const std::vector<MemoryChange<R>>& changes() const { return changes_; }       ///< of any memory, the start first
   std::size_t changes_after_start() const { return changes_.size() - starts_; }  ///< events of any kind
@@ -66,7 +72,8 @@ class SpatialPieces {
   /// Of a margin.
   Kind kind_of(std::size_t margin) const {
     if (margin >= first_knot()) return Kind::knot;
-    return margin % margins_each < 2 ? Kind::contact : margin % margins_each == 2 ? Kind::side : Kind::edge;
+    const std::size_t of_joint = margin % margins_each;
+    return of_joint < 2 ? Kind::contact : of_joint < 4 ? Kind::side : Kind::edge;
   }
   /// The joint of a margin.
   const SpatialJointElement<R>& joint_of(std::size_t margin) const {
@@ -99,34 +106,37 @@ class SpatialPieces {
     return std::all_of(y.begin(), y.end(), [](const R& v) { return std::isfinite(static_cast<double>(v)); });
   }
 
-  /// Of each joint: the inner and the outer seam of its contact, a = 0 of its half film, and its film's edge. Then the
-  /// distances to the knots of tables over angles.
+  /// Of each joint: the inner and the outer seam of its contact, what ends the side of its half film (a = 0, or, of one
+  /// that slides, both ends of the jump), and its film's edge. Then the distances to the knots of tables over angles.
   void margins(const R& t, const State& y, std::vector<Margin<R>>& list) {
     list.clear();
-    ode_.system().place(y.data(), ode_.workspace());
+    if (sides_.any_slides()) {
+      ode_.at(t, y);
+    } else {
+      ode_.system().place(y.data(), ode_.workspace());
+    }
     const Margin<R> far{R(1), R(0)};
     for (std::size_t j = 0; j < ode_.system().joints().size(); ++j) {
       const JointElement<R>& joint = ode_.system().joints()[j].plane;
-      const SpatialJointKinematics<R> k = ode_.system().joint_kinematics(j, ode_.workspace());
+      const SpatialJointKinematics<R> k = ode_.system().joint_kinematics(j, ode_.last());
       if (joint.has_contact()) {
-        const detail::SeamMargins<R> m = detail::seam_margins(joint, ode_.memory()[j].phase, k.motion.eccentricity);
+        const detail::SeamMargins<R> m =
+            detail::seam_margins(joint, std::as_const(ode_).memory()[j].phase, k.motion.eccentricity);
         list.push_back({m.inner, seam_rounding()});
         list.push_back({m.outer, seam_rounding()});
       } else {
         list.insert(list.end(), 2, far);
       }
-      list.push_back(has_side(j) ? side_margin(k.motion, j) : far);
+      sides_.add_margins(j, far, list);
       list.push_back(joint.has_contact() ? far : Margin<R>{edge_room(j, k), seam_rounding()});
     }
     knots_.add_margins(t, y, list);
   }
 
   /// Euler parameters of norm 1, to the error that may stay or, if exactly, to rounding; constraints by projection,
-  /// where that is their upkeep.
+  /// where that is their upkeep; journals that slide onto their lines.
   bool hold(const R& t, State& y, bool exactly) {
-    for (std::size_t j = 0; j < unparted_.size(); ++j) {
-      if (unparted_[j]) note_parted(y, j);
-    }
+    if (!exactly) sides_.note_parted(t, y);
     bool changed = false;
     for (std::size_t b = 0; b < ode_.system().bodies().size(); ++b)
       changed = normalise(&y[7 * b + 3], exactly) || changed;
@@ -138,6 +148,10 @@ class SpatialPieces {
         changed = true;
       } catch (const SingularConstraints&) {  // the next step ends elsewhere
       }
+    }
+    if (sides_.any_slides()) {
+      const R allowed = exactly ? R(0) : tolerance_;
+      changed = project_onto_slides(ode_.system(), t, y, ode_.memory(), allowed, ode_.workspace()) || changed;
     }
     return changed;
   }
@@ -157,13 +171,10 @@ class SpatialPieces {
       case 1:
         change_phase(t, y, j, true);
         break;
-      case 2: {
-        FilmSide& side = ode_.memory()[j].side;
-        side = side == FilmSide::converging ? FilmSide::mirrored : FilmSide::converging;
-        unparted_[j] = true;
-        if (comes_back(t, y, j)) return AfterEvent::hand_over;
+      case 2:
+      case 3:
+        sides_.cross(margin % margins_each == 3, t, y, j);
         break;
-      }
       default:
         return AfterEvent::hand_over;
     }
@@ -179,7 +190,7 @@ class SpatialPieces {
   }
 
  private:
-  static constexpr std::size_t margins_each = 4;
+  static constexpr std::size_t margins_each = 5;
   std::size_t first_knot() const { return margins_each * ode_.system().joints().size(); }
 
   static R epsilon() { return std::numeric_limits<R>::epsilon(); }
@@ -214,11 +225,6 @@ class SpatialPieces {
     return ode_.system().joint_kinematics(j, ode_.workspace()).motion;
   }
 
-  /// Has the joint's film a side now?
-  bool has_side(std::size_t j) const {
-    return ode_.system().joints()[j].plane.has_half_film() && ode_.memory()[j].phase != ContactPhase::dry;
-  }
-
   bool normalise(R* p, bool exactly) {
     using std::abs;
     using std::sqrt;
@@ -229,67 +235,6 @@ class SpatialPieces {
     if (!(abs(R(size - 1)) > (exactly ? rounding : std::max<R>(rounding, R(norm_error_))))) return false;
     for (std::size_t k = 0; k < 4; ++k) p[k] /= size;
     return true;
-  }
-
-  // A half film's side. a has the sign of −(e × u).
-
-  /// How far a journal is on its film's side, −1 to 1; what rounding makes of 0, and, where the side has only begun,
-  /// what errors of a run do.
-  Margin<R> side_margin(const JournalMotion<R>& motion, std::size_t j) const {
-    using std::abs;
-    const JointElement<R>& joint = ode_.system().joints()[j].plane;
-    const R half = motion.journal_spin / 2;
-    const Vector2<R>& e = motion.eccentricity;
-    const Vector2<R> u(R(motion.velocity.x() + half * e.y()), R(motion.velocity.y() - half * e.x()));
-    if (is_zero(e) || is_zero(u)) return {R(0), R(1)};
-    const R sine = lubjoint::cross(direction(e), direction(u));
-    const R pace = norm(u);
-    // e and u are differences of numbers of the size of the mechanism, a thousand clearances and more.
-    const R of_places = 16 * epsilon() * (1 + 1000 * joint.bearing.radius() / norm(e));
-    const R beyond_errors = wrong_side(R(pace / joint.bearing.clearance()), R(abs(half)));
-    return {ode_.memory()[j].side == FilmSide::mirrored ? sine : R(-sine),
-            unparted_[j] ? std::max<R>(of_places, beyond_errors) : of_places};
-  }
-
-  void find_side(const State& y, std::size_t j) {
-    const JournalMotion<R> motion = motion_of(y, j);
-    FilmSide& side = ode_.memory()[j].side;
-    side = FilmSide::converging;
-    const Margin<R> margin = side_margin(motion, j);
-    unparted_[j] = !(margin.value > margin.rounding || margin.value < -margin.rounding);
-    if (margin.value < -margin.rounding) side = FilmSide::mirrored;
-  }
-
-  /// e × u
-  static R side_moment(const JournalMotion<R>& motion) {
-    const R half = motion.journal_spin / 2;
-    const Vector2<R>& e = motion.eccentricity;
-    return lubjoint::cross(e, Vector2<R>(R(motion.velocity.x() + half * e.y()), R(motion.velocity.y() - half * e.x())));
-  }
-
-  /// Does the force of the side that has just begun drive a half film back over a = 0? By the change of e × u, which is
-  /// 0 there, in a millionth of the time in which the journal crosses its clearance.
-  bool comes_back(const R& t, const State& y, std::size_t j) {
-    const JournalMotion<R> motion = motion_of(y, j);
-    const R pace = length(motion.velocity) / ode_.system().joints()[j].plane.bearing.clearance();
-    const R rate = std::max<R>(pace, motion.journal_spin < 0 ? R(-motion.journal_spin) : motion.journal_spin);
-    if (!(rate > 0)) return false;
-    State moved = y;
-    ode_.rate(y, moved, t);
-    for (std::size_t i = 0; i < y.size(); ++i) moved[i] = y[i] + moved[i] * (R(1e-6) / rate);
-    const R change = side_moment(motion_of(moved, j)) - side_moment(motion);
-    return ode_.memory()[j].side == FilmSide::mirrored ? change < 0 : change > 0;
-  }
-
-  void note_parted(const State& y, std::size_t j) {
-    if (!has_side(j)) {
-      unparted_[j] = false;
-      return;
-    }
-    const JournalMotion<R> motion = motion_of(y, j);
-    unparted_[j] = false;
-    const Margin<R> margin = side_margin(motion, j);
-    unparted_[j] = !(margin.value > margin.rounding);
   }
 
   void change_phase(const R& t, const State& y, std::size_t j, bool outwards) {
@@ -307,8 +252,8 @@ class SpatialPieces {
                        0};
     detail::enter_phase(joint, memory, event.to, speed);
     if (joint.has_half_film()) {
-      if (event.to == ContactPhase::dry) memory.side = FilmSide::of_slip;
-      if (event.from == ContactPhase::dry) find_side(y, j);
+      if (event.to == ContactPhase::dry) sides_.leave(t, j, FilmSide::of_slip);
+      if (event.from == ContactPhase::dry) sides_.find(t, y, j);
     }
     const Vector2<R> after = ode_.at(t, y).joints[j].plane.total();
     event.force_before = static_cast<double>(before.norm());
@@ -319,11 +264,12 @@ class SpatialPieces {
   SpatialOde<R>& ode_;
   ConstraintUpkeep upkeep_;
   double norm_error_;
+  R tolerance_;
   bool has_pieces_ = false;  ///< may a joint touch, or its half film change its side?
+  FilmSides<SpatialFilmBodies<R>> sides_;
   TableKnots<R, SpatialAngles<R>> knots_;
   std::vector<EdgeRoom> rooms_;  ///< of each film's edge, at the end of the last step
   State projected_;              ///< a copy: a projection that fails leaves nothing behind
-  std::vector<bool> unparted_;   ///< of each joint: is it on a side that has not left a = 0 yet?
   std::vector<ContactEvent> events_;
   std::vector<MemoryChange<R>> changes_;
   std::size_t starts_ = 0;

@@ -33,7 +33,7 @@ class SpatialRun {
       : ode_(ode),
         settings_(settings),
         method_(std::move(method)),
-        pieces_(ode, upkeep, resolution.angle / 20),
+        pieces_(ode, upkeep, resolution.angle / 20, R(settings.absolute_tolerance)),
         engine_(pieces_, *method_, settings_, outcome_, guard_),
         recorder_(ode, settings, method_->looks_inside(), resolution, sensors),
         springs_(SpatialSprings<R>(ode.system()), settings.relative_tolerance, method_->looks_inside()) {}
@@ -73,6 +73,7 @@ class SpatialRun {
       return !spring_ && recorder_.is_redundant_still();
     });
     if (result.end != RunEnd::duration_reached) stop(result);
+    pieces_.finish(t_);
     recorder_.finish(t_, y_);
     outcome_.t_end = static_cast<double>(t_);
     outcome_.rhs_evaluations = ode_.evaluations();
@@ -84,6 +85,7 @@ class SpatialRun {
 
   const SpatialRecorder<R>& recorder() const { return recorder_; }              ///< what the run has left
   const std::vector<ContactEvent>& events() const { return pieces_.events(); }  ///< of contact, in order
+  const std::vector<JointSlide>& slides() const { return pieces_.slides(); }    ///< of half films
   /// What the joints remembered, from when on: the equations keep what they remember at the end.
   const std::vector<MemoryChange<R>>& memories() const { return pieces_.changes(); }
   /// How far Euler parameters and constraints were off.
@@ -177,12 +179,8 @@ class SpatialRun {
     const auto joint = [&] { return "joint \"" + pieces_.joint_of(result.margin).name() + "\""; };
     using Kind = typename SpatialPieces<R>::Kind;
     const Kind kind = pieces_.kind_of(result.margin);
-    const std::string on_jump =
-        " can't leave the jump of its half film at a = 0, on which scenes in space do not slide; use a law without a "
-        "jump, such as a dynamic one";
     const bool at_event = result.end == RunEnd::not_located || result.end == RunEnd::stuck;
     if (at_event && kind == Kind::knot) return detail::knot_words();
-    if (result.end == RunEnd::handed_over && kind == Kind::side) return near.words + joint() + on_jump;
     if (result.end == RunEnd::handed_over) {
       const std::size_t j = static_cast<std::size_t>(&pieces_.joint_of(result.margin) - ode_.system().joints().data());
       const double tilt = static_cast<double>(ode_.system().joint_kinematics(j, ode_.workspace()).tilt());
@@ -218,7 +216,8 @@ class SpatialRun {
                                       : "the film's edge at the wall of ") +
                joint() + " can't be located; use a tighter tolerance";
       case RunEnd::stuck:
-        return near.words + joint() + (kind == Kind::contact ? " can't leave a seam of its contact" : on_jump);
+        return near.words + joint() +
+               (kind == Kind::contact ? " can't leave a seam of its contact" : detail::stuck_on_jump_words());
       default:
         if (near.words.empty()) {
           return "no step, however short, gives a finite state; use a looser relative_tolerance, or lower the loads "

@@ -37,6 +37,11 @@ inline std::string eccentricity_words(const Vector2<double>& e_hat) {
   return text.str();
 }
 
+/// After the name of a joint that no event leads on.
+inline std::string stuck_on_jump_words() {
+  return " can't leave the jump of its half film at a = 0; use a law without a jump, such as a dynamic one";
+}
+
 inline std::string step_limit_reached(std::size_t limit) {
   return "the limit of " + std::to_string(limit) + " steps is reached: ";
 }

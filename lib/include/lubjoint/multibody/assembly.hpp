@@ -233,34 +233,40 @@ R project_onto_constraints(const PlanarSystem<R>& system, const R& t, std::vecto
 ///   across within as many times the rates of its motion along
 /// @returns whether the state was changed
 /// @throws FilmDomainError, SingularConstraints
-template <class R>
-bool project_onto_slides(const PlanarSystem<R>& system, const R& t, std::vector<R>& y,
-                         const std::vector<JointMemory<R>>& memory, const R& tolerance, SystemWorkspace<R>& w) {
+template <class System, class R, class Workspace>
+bool project_onto_slides(const System& system, const R& t, std::vector<R>& y, const std::vector<JointMemory<R>>& memory,
+                         const R& tolerance, Workspace& w) {
   using std::abs;
   system.evaluate(t, y.data(), memory, w);
   if (w.slides.empty()) return false;
+  R* const velocities = y.data() + system.places();
+  const auto rate_across = [&](const auto& slide) {
+    return R(detail::across_line(system, slide, [=](std::size_t i) -> const R& { return velocities[i]; }));
+  };
   bool within = true;
-  for (const FilmSlide<R>& slide : w.slides) {
-    const R allowed = tolerance * system.joints()[slide.joint].bearing.clearance();
+  for (const auto& slide : w.slides) {
+    const R allowed = tolerance * system.joint_in_plane(slide.joint).bearing.clearance();
     const JournalMotion<R>& motion = w.joints[slide.joint].kinematics.motion;
     const R turning = abs(motion.bearing_spin + motion.journal_spin) / 2;
     within = within && abs(slide.place.across) <= allowed &&
-             abs(detail::slide_rate(system, slide, w)) <= allowed * turning + tolerance * abs(slide.place.rate);
+             abs(rate_across(slide)) <= allowed * turning + tolerance * abs(slide.place.rate);
   }
   if (within) return false;
   const auto count = static_cast<Eigen::Index>(w.slides.size());
   detail::DenseVector<R> open(count);
-  const auto move = [&](R* x) {
+  std::vector<R> change(system.velocities());
+  const auto find_change = [&] {
     const detail::DenseVector<R> by = w.slide_response.accelerations * w.slide_response.forces_for(open);
-    for (std::size_t i = 0; i < system.coordinates(); ++i) x[i] -= by(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] = -by(static_cast<Eigen::Index>(i));
   };
   for (Eigen::Index k = 0; k < count; ++k) open(k) = w.slides[static_cast<std::size_t>(k)].place.across;
-  move(y.data());
+  find_change();
+  system.displace(change, y.data());
   system.place(y.data(), w);
-  detail::evaluate_slides(system, memory, w);
-  for (Eigen::Index k = 0; k < count; ++k)
-    open(k) = detail::slide_rate(system, w.slides[static_cast<std::size_t>(k)], w);
-  move(y.data() + system.coordinates());
+  system.place_slides(t, memory, w);
+  for (Eigen::Index k = 0; k < count; ++k) open(k) = rate_across(w.slides[static_cast<std::size_t>(k)]);
+  find_change();
+  for (std::size_t i = 0; i < change.size(); ++i) velocities[i] += change[i];
   return true;
 }
 

@@ -63,6 +63,8 @@ class PlanarSystem {
   std::size_t constraint_rows() const { return first_row_.back(); }                ///< number of λ
   /// Number of the first λ of a constraint.
   std::size_t first_row(std::size_t constraint) const { return first_row_[constraint]; }
+  std::size_t places() const { return coordinates(); }      ///< likewise
+  std::size_t velocities() const { return coordinates(); }  ///< number of q̇
   /// 1/m, 1/m, 1/I of a body.
   const std::array<R, 3>& inverse_mass(std::size_t body) const { return inverse_mass_[body]; }
 
@@ -95,14 +97,17 @@ class PlanarSystem {
       evaluate_constraints(t, w);
       factorise(w);
     }
-    if (!w.slides.empty()) detail::hold_slides(*this, memory, w);
+    if (!w.slides.empty()) {
+      place_slides(t, memory, w);
+      detail::hold_slides(*this, w);
+    }
     if (constraint_rows() > 0) {
       solve(w);
     } else {
       accelerate_freely(w);
     }
     if constexpr (ScalarTraits<T>::carries_derivatives) {
-      if (!w.slides.empty()) detail::differentiate_slides(*this, w);
+      if (!w.slides.empty()) detail::differentiate_slides(*this, w.slide_response, w);
     }
   }
 
@@ -290,6 +295,35 @@ class PlanarSystem {
   template <class T>
   void constrain(const SystemWorkspace<T>& w, R* lambda, R* a) const {
     if (constraint_rows() > 0) constrain(values_of_rows(w), w.schur, lambda, a);
+  }
+
+  // Journals that slide on the jump of their half film (film_slide.hpp).
+
+  /// A joint as an element of its plane.
+  const JointElement<R>& joint_in_plane(std::size_t joint) const { return joints_[joint]; }
+  /// The lines of the journals that slide, from the frames of a workspace.
+  template <class T, class Time>
+  void place_slides(const Time&, const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
+    detail::evaluate_slides(*this, memory, w);
+  }
+  /// A tangential force into the joint's results; the bodies have theirs.
+  template <class T>
+  void push_journal(const FilmSlide<ConstraintRow<T>>& slide, const T& force, SystemWorkspace<T>& w) const {
+    const Vector2<T>& n = slide.place.line;
+    Vector2<T>& film = w.joints[slide.joint].film;
+    film.x() -= force * n.y();
+    film.y() += force * n.x();
+    for (std::size_t k = 0; k < sheared_joints_.size(); ++k) {
+      if (sheared_joints_[k] == slide.joint) w.shear_torques[k] -= force * slide.place.along / 2;
+    }
+  }
+  /// M⁻¹ of a body.
+  void accelerate(std::size_t body, const R* force, R* acceleration) const {
+    for (std::size_t k = 0; k < 3; ++k) acceleration[k] = inverse_mass_[body][k] * force[k];
+  }
+  /// Moves bodies by small displacements, as velocities times a time.
+  void displace(const std::vector<R>& by, R* y) const {
+    for (std::size_t i = 0; i < coordinates(); ++i) y[i] += by[i];
   }
 
   /// Body i of a row, or ground_body.

@@ -22,6 +22,7 @@ struct SpatialTrajectory {
   std::vector<ReactionExtremes> reactions;   ///< of the constraints that are no drivers, in the scene's order
   std::vector<SensorExtremes> sensors;       ///< of every value of every sensor, in the scene's order
   std::vector<ContactEvent> events;          ///< when a journal met or left its wall
+  std::vector<JointSlide> slides;            ///< when half films slid along a = 0
   SpatialDrift drift;                        ///< how far constraints and Euler parameters were off
   std::optional<double> energy_residual;     ///< largest |E − E₀ − work| at the end of a step [J]
   double energy_scale = 0;                   ///< largest kinetic energy or work [J]

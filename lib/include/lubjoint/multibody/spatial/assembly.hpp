@@ -59,19 +59,6 @@ DenseMatrix<R> scaled_constraint_matrix(const SpatialSystem<R>& system, const Sp
   return matrix;
 }
 
-/// Moves bodies by small displacements and turns (dr, dπ′), as velocities times a time.
-template <class R>
-void displace(const SpatialSystem<R>& system, const std::vector<R>& by, R* y) {
-  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
-    R* q = y + spatial_coordinates * b;
-    for (std::size_t k = 0; k < 3; ++k) q[k] += by[6 * b + k];
-    const EulerParameters<R> p(q[3], q[4], q[5], q[6]);
-    const EulerParameters<R> turned =
-        normalised<R>(p + euler_rate(p, Vector3<R>(by[6 * b + 3], by[6 * b + 4], by[6 * b + 5])));
-    for (std::size_t k = 0; k < 4; ++k) q[3 + k] = turned(static_cast<Eigen::Index>(k));
-  }
-}
-
 /// −S (Φ_v S)⁺ residual: the least change in the kinetic-energy norm.
 template <class R>
 std::vector<R> least_change(const SpatialSystem<R>& system, const DenseMatrix<R>& matrix,
@@ -291,7 +278,7 @@ SpatialStart<R> assemble_spatial_start(SpatialSystem<R>& system, const R& t, con
   SpatialStart<R> result;
   const std::size_t bodies = system.bodies().size();
   const std::vector<R> given = y;
-  detail::displace(system, std::vector<R>(system.velocities(), R(0)), y.data());  // |p| = 1
+  system.displace(std::vector<R>(system.velocities(), R(0)), y.data());  // |p| = 1
   if (system.constraint_rows() == 0) return result;
   detail::place_held_bodies(system, y.data());
   system.leave_out({});
@@ -316,8 +303,7 @@ SpatialStart<R> assemble_spatial_start(SpatialSystem<R>& system, const R& t, con
     // To rounding of angles, and of the mechanism's own size; the last step is taken anyway.
     if (size <= 4 * std::numeric_limits<R>::epsilon()) break;
     if (iteration > 8 && size < R(1e-9) && size >= before / 2) break;
-    detail::displace(system, detail::least_change(system, detail::scaled_constraint_matrix(system, w), residual),
-                     y.data());
+    system.displace(detail::least_change(system, detail::scaled_constraint_matrix(system, w), residual), y.data());
   }
   system.evaluate_kinematics(t, y.data(), w);
   const detail::DenseMatrix<R> matrix = detail::scaled_constraint_matrix(system, w);
@@ -387,7 +373,7 @@ void project_onto_constraints(const SpatialSystem<R>& system, const R& t, std::v
     system.solve_schur(w, mu.data());
     std::fill(change.begin(), change.end(), R(0));
     system.subtract_constraint_forces(w, mu.data(), change.data());
-    detail::displace(system, change, y.data());
+    system.displace(change, y.data());
   }
   system.evaluate_kinematics(t, y.data(), w);
   system.factorise(w);

@@ -9,32 +9,17 @@ namespace lubjoint {
 
 namespace detail {
 
-/// The row of a prescribed turn.
+/// The row of a prescribed turn: that of the turn (turn.hpp), less f.
 ///   Φ = θ − f(t), of the revolution that is nearest to f: θ is counted through revolutions, not reduced, as long as
-///   the motor is off by less than half a turn
-///   Φ̇ = (ω_j − ω_i)·a − ḟ
-///   γ = f̈ − (C S̈₀ − S C̈₀)/ρ² + 2(CĊ + SṠ)(CṠ − SĊ)/ρ⁴,  S̈₀ and C̈₀ without ω̇ (symbols as in turn.hpp)
+///   the motor is off by less than half a turn;   Φ̇ = θ̇ − ḟ
 template <class R, class T, class Time>
-void fill_turn(const BetweenAxes<R>& joint, const PrescribedMotion<R>& motion, const SpatialFrame<T>& body_i,
-               const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>& row) {
-  const TurningVector<T> x_i = turning_vector(body_i, joint.first.across);
-  const TurningVector<T> y_i = turning_vector(body_i, joint.first.third());
-  const TurningVector<T> x_j = turning_vector(body_j, joint.second.across);
-  const Turn<T> turn = turn_of(x_i.now, y_i.now, x_j.now);
-  const T cosine_rate = dot(x_i.rate, x_j.now) + dot(x_i.now, x_j.rate);
-  const T sine_rate = dot(y_i.rate, x_j.now) + dot(y_i.now, x_j.rate);
-  const T cosine_second = dot(x_i.second, x_j.now) + 2 * dot(x_i.rate, x_j.rate) + dot(x_i.now, x_j.second);
-  const T sine_second = dot(y_i.second, x_j.now) + 2 * dot(y_i.rate, x_j.rate) + dot(y_i.now, x_j.second);
-  const T angle_rate = (turn.cosine * sine_rate - turn.sine * cosine_rate) / turn.square;
-  const T change = 2 * (turn.cosine * cosine_rate + turn.sine * sine_rate) / turn.square;
+void fill_prescribed_turn(const BetweenAxes<R>& joint, const PrescribedMotion<R>& motion, const SpatialFrame<T>& body_i,
+                          const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>& row) {
+  fill_turn_between(joint.first, joint.second, body_i, body_j, row);
   const DrivenMotion<Time> f = motion.at(t);
-  const Vector3<T> none = zero_vector<T>();
-  row.value = nearest_turn(T(polar_angle(turn.sine, turn.cosine) - f.value), R(0));
+  row.value = nearest_turn(T(row.value - f.value), R(0));
   row.time_rate = T(-f.rate);
-  row.gamma =
-      T(f.acceleration - (turn.cosine * sine_second - turn.sine * cosine_second) / turn.square + change * angle_rate);
-  if (has_columns(body_i)) row.first = columns(none, in_body(body_i, negative(turn.axis)));
-  if (has_columns(body_j)) row.second = columns(none, in_body(body_j, turn.axis));
+  row.gamma = T(row.gamma + f.acceleration);
 }
 
 }  // namespace detail
@@ -56,7 +41,7 @@ struct RotationalDriver : detail::BetweenAxes<R> {
   /// Fills the row from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>* row) const {
-    detail::fill_turn(*this, motion, body_i, body_j, t, row[0]);
+    detail::fill_prescribed_turn(*this, motion, body_i, body_j, t, row[0]);
   }
 };
 
@@ -78,7 +63,7 @@ struct HeldSpin : detail::BetweenAxes<R> {
   /// Fills the rows from the motions of its two bodies at time t.
   template <class T, class Time>
   void evaluate(const SpatialFrame<T>& body_i, const SpatialFrame<T>& body_j, const Time& t, SpatialRow<T>* row) const {
-    detail::fill_turn(*this, motion, body_i, body_j, t, row[0]);
+    detail::fill_prescribed_turn(*this, motion, body_i, body_j, t, row[0]);
     const TurningVector<T> axis_j = turning_vector(body_j, this->second.axis);
     fill_perpendicular(body_i, turning_vector(body_i, this->first.across), body_j, axis_j, row[1]);
     fill_perpendicular(body_i, turning_vector(body_i, this->first.third()), body_j, axis_j, row[2]);

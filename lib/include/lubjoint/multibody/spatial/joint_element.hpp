@@ -14,6 +14,12 @@ struct SpatialWrench {
   Vector3<T> moment;  ///< [N m]
 };
 
+/// A journal seen in its bearing's frame, in which it is turned by θ about n.
+template <class T>
+PlanarFrame<T> turned_journal(const JournalMotion<T>& seen, const T& turn) {
+  return PlanarFrame<T>(PlanarMotion<T>{seen.eccentricity, turn, seen.velocity, seen.journal_spin});
+}
+
 /// What a joint in space does to its two bodies: film and contact apart, in the film's middle plane.
 template <class T>
 struct SpatialJointForce {
@@ -68,21 +74,23 @@ struct SpatialJointElement {
     return spatial_joint_kinematics(bearing_body, bearing_at, journal_body, journal_at);
   }
 
-  /// Force on the journal, of the piece that the memory names. A half film that slides on its jump is not for space.
+  /// Force on the journal, of the piece that the memory names; of a journal that slides on the jump of its half film,
+  /// what lies along its line.
+  /// @param turn  of journal against bearing, which a journal that slides asks for
   /// @throws FilmDomainError where there is no film, and the phase asks for one; JournalAcross
   template <class T>
   SpatialJointForce<T> force(const SpatialFrame<T>& bearing_body, const SpatialFrame<T>& journal_body,
-                             const JointMemory<R>& memory) const {
-    return force_at(kinematics(bearing_body, journal_body), memory);
+                             const JointMemory<R>& memory, const T& turn = T(0)) const {
+    return force_at(kinematics(bearing_body, journal_body), memory, turn);
   }
   /// The same of known kinematics.
   template <class T>
-  SpatialJointForce<T> force_at(const SpatialJointKinematics<T>& at, const JointMemory<R>& memory) const {
+  SpatialJointForce<T> force_at(const SpatialJointKinematics<T>& at, const JointMemory<R>& memory,
+                                const T& turn = T(0)) const {
     SpatialJointForce<T> result{at, {}, T(0)};
     const JournalMotion<T>& seen = result.kinematics.motion;
     const PlanarFrame<T> bearing(ground_motion<T>());
-    const PlanarFrame<T> journal({seen.eccentricity, T(0), seen.velocity, seen.journal_spin});
-    result.plane = plane.force(bearing, journal, memory);
+    result.plane = plane.force(bearing, turned_journal(seen, turn), memory);
     if (plane.shear) result.shear_torque = plane.shear_torque(result.plane, memory);
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include "lubjoint/multibody/planar_system.hpp"
 #include "lubjoint/multibody/spatial/constraint.hpp"
+#include "lubjoint/multibody/spatial/film_slide.hpp"
 #include "lubjoint/multibody/spatial/force_elements.hpp"
 #include "lubjoint/multibody/spatial/joint_element.hpp"
 #include "lubjoint/multibody/spatial/system_workspace.hpp"
@@ -47,6 +48,10 @@ class SpatialSystem {
       joint_points_.push_back(each.second_point());
       for (std::size_t i = 0; i < each.rows(); ++i) sides_.push_back({each.first_body(), each.second_body()});
       first_row_.push_back(first_row_.back() + each.rows());
+    }
+    for (const SpatialJointElement<R>& joint : joints_) {
+      turn_of_joint_.push_back(elements_.angles.size());
+      if (joint.plane.has_half_film()) elements_.angles.push_back({joint.bearing_at, joint.journal_at, R(0)});
     }
     leave_out({});
   }
@@ -127,9 +132,13 @@ class SpatialSystem {
     place(y, w);
     apply_forces(t, memory, w, every_body);
     evaluate_constraints(t, w, every_body);
+    if (!kept_.empty()) factorise(w);
+    if (!w.slides.empty()) {
+      place_slides(t, memory, w);
+      detail::hold_slides(*this, w);
+    }
     for (std::size_t b = 0; b < bodies_.size(); ++b) accelerate(b, &w.forces[6 * b], &w.accelerations[6 * b]);
     if (kept_.empty()) return;
-    factorise(w);
     for (const std::size_t row : kept_) w.multipliers[row] = -wanted_acceleration(row, w);
     constrain(w, w.multipliers.data(), w.accelerations.data(), w.kept);
   }
@@ -159,7 +168,16 @@ class SpatialSystem {
     }
     apply_forces(t, memory, w, body);
     evaluate_constraints(t, w, body);
+    if (!w.slides.empty()) {
+      place_slides(t, memory, w);
+      for (std::size_t k = 0; k < w.slides.size(); ++k) {
+        w.slides[k].force = T(at.slides[k].force);
+        detail::push(*this, w.slides[k], w.slides[k].force, [&w](std::size_t i) -> T& { return w.forces[i]; });
+        push_journal(w.slides[k], w.slides[k].force, w);
+      }
+    }
     solve(body, w);
+    if (!w.slides.empty()) detail::differentiate_slides(*this, at.slide_response, w);
   }
 
   /// Frames and constraint rows alone.
@@ -220,15 +238,19 @@ class SpatialSystem {
       }
     };
     static const JointMemory<R> no_memory;
+    w.slides.clear();
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const SpatialJointElement<R>& joint = joints_[j];
-      if (!has_to_do(body, joint.bearing_at.body) && !has_to_do(body, joint.journal_at.body)) {
+      const bool slides = !memory.empty() && memory[j].side == FilmSide::sliding;
+      if (slides) w.slides.emplace_back().joint = j;
+      if (!slides && !has_to_do(body, joint.bearing_at.body) && !has_to_do(body, joint.journal_at.body)) {
         if constexpr (ScalarTraits<T>::carries_derivatives) w.joints[j] = {};  // zeros
         continue;
       }
       SpatialJointKinematics<T> at = joint.kinematics(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w));
       correct(j, at);
-      w.joints[j] = joint.force_at(at, memory.empty() ? no_memory : memory[j]);
+      w.joints[j] = slides ? joint.force_at(at, memory[j], turn_of_joint(t, j, w).angle)
+                           : joint.force_at(at, memory.empty() ? no_memory : memory[j]);
       const SpatialWrench<T> on_bearing = w.joints[j].on_bearing();
       const SpatialWrench<T> on_journal = w.joints[j].on_journal();
       add(joint.bearing_at.body, on_bearing.force, on_bearing.moment);
@@ -359,6 +381,43 @@ class SpatialSystem {
     return T(w.rows[row].gamma - 2 * alpha * constraint_rate(row, w) - (beta * beta) * w.rows[row].value);
   }
 
+  // Journals that slide on the jump of their half film (film_slide.hpp).
+
+  /// A joint as an element of its plane.
+  const JointElement<R>& joint_in_plane(std::size_t joint) const { return joints_[joint].plane; }
+  /// The number of the counted angle of a joint with a half film: of its journal against its bearing.
+  std::size_t counted_turn(std::size_t joint) const { return turn_of_joint_[joint]; }
+  /// The lines of the journals that slide, from the frames of a workspace. @throws AngleNotCounted
+  template <class T, class Time>
+  void place_slides(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w) const {
+    detail::evaluate_slides(
+        *this, memory, [&](std::size_t joint) { return turn_of_joint(t, joint, w); }, w);
+  }
+  /// A tangential force into the joint's results; the bodies have theirs.
+  template <class T>
+  void push_journal(const FilmSlide<SpatialRow<T>>& slide, const T& force, SpatialWorkspace<T>& w) const {
+    const Vector2<T>& n = slide.place.line;
+    SpatialJointForce<T>& joint = w.joints[slide.joint];
+    joint.plane.film.x() -= force * n.y();
+    joint.plane.film.y() += force * n.x();
+    if (joints_[slide.joint].plane.shear) joint.shear_torque -= force * slide.place.along / 2;
+  }
+  /// From −wanted in lambda and M⁻¹g in a to λ and accelerations, with the rows and factors of a workspace.
+  void constrain(SpatialWorkspace<R>& w, R* lambda, R* a) const {
+    if (!kept_.empty()) constrain(w, lambda, a, w.kept);
+  }
+  /// Moves bodies by small displacements and turns (dr, dπ′), as velocities times a time.
+  void displace(const std::vector<R>& by, R* y) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      R* q = y + spatial_coordinates * b;
+      for (std::size_t k = 0; k < 3; ++k) q[k] += by[6 * b + k];
+      const EulerParameters<R> p(q[3], q[4], q[5], q[6]);
+      const EulerParameters<R> turned =
+          normalised<R>(p + euler_rate(p, Vector3<R>(by[6 * b + 3], by[6 * b + 4], by[6 * b + 5])));
+      for (std::size_t k = 0; k < 4; ++k) q[3 + k] = turned(static_cast<Eigen::Index>(k));
+    }
+  }
+
   /// What a constraint does to its second body at the joint's point, from an evaluated workspace. λ has the share of
   /// Baumgarte's terms in it, which is as small as the drift. Of a driver: about, or along, its axis.
   template <class T>
@@ -445,6 +504,12 @@ class SpatialSystem {
     return has_to_do(body, sides.first) || has_to_do(body, sides.second);
   }
 
+  /// Of a joint's journal against its bearing, counted; of a joint with a half film.
+  template <class T, class Time>
+  AngleMotion<T> turn_of_joint(const Time& t, std::size_t joint, const SpatialWorkspace<T>& w) const {
+    return elements_in(t, w).angle(turn_of_joint_[joint]);
+  }
+
   /// Weight, constant loads and gyroscopic moment.
   template <class T>
   void apply_to_body(std::size_t b, SpatialWorkspace<T>& w) const {
@@ -507,7 +572,8 @@ class SpatialSystem {
   std::vector<NamedSpatialConstraint<R>> constraints_;
   std::vector<SpatialJointElement<R>> joints_;
   SpatialForceElements<R> elements_;
-  std::vector<Vector3<R>> joint_points_;  // of each constraint, fixed to its second body
+  std::vector<std::size_t> turn_of_joint_;  // among the counted angles, of a joint with a half film
+  std::vector<Vector3<R>> joint_points_;    // of each constraint, fixed to its second body
   Vector3<R> gravity_;
   Baumgarte<R> stabilisation_;
   std::vector<R> inverse_mass_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lubjoint/multibody/envelope_cholesky.hpp"
+#include "lubjoint/multibody/film_slide_state.hpp"
 #include "lubjoint/multibody/spatial/constraint_row.hpp"
 #include "lubjoint/multibody/spatial/joint_element.hpp"
 #include "lubjoint/multibody/spatial/turn_history.hpp"
@@ -55,6 +56,9 @@ struct SpatialWorkspace {
   std::vector<std::array<R, 6>> weighted;  ///< M⁻¹ times the columns of each side of each row
   EnvelopeCholesky<R> schur;               ///< Φ_v M⁻¹ Φ_vᵀ of the rows that are kept
   std::vector<R> kept;                     ///< work of a solve
+  /// Of the journals that slide on the jump of their half film, if any.
+  std::vector<FilmSlide<SpatialRow<T>>> slides;
+  detail::SlideResponse<R> slide_response;  ///< of these; of numbers alone
   /// What counts revolutions of angles; none: angles are those of the revolution of their zero.
   const TurnHistory<R>* turns = nullptr;
   /// Of the tables of moving loads, one a load, where they are held; else null.

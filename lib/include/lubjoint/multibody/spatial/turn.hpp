@@ -34,6 +34,30 @@ T nearest_turn(const T& angle, const RealOf<T>& place) {
   return T(angle + turn * R(round(R((place - value_of(angle)) / turn))));
 }
 
+/// The row of the turn θ of body j against body i about n_i, up to whole revolutions: θ̇ = (ω_j − ω_i)·a,
+///   γ = −(C S̈₀ − S C̈₀)/ρ² + 2(CĊ + SṠ)(CṠ − SĊ)/ρ⁴,  S̈₀ and C̈₀ without ω̇.
+/// @param first, second  axes fixed to the bodies
+template <class R, class T>
+void fill_turn_between(const AxisFrame<R>& first, const AxisFrame<R>& second, const SpatialFrame<T>& body_i,
+                       const SpatialFrame<T>& body_j, SpatialRow<T>& row) {
+  const TurningVector<T> x_i = turning_vector(body_i, first.across);
+  const TurningVector<T> y_i = turning_vector(body_i, first.third());
+  const TurningVector<T> x_j = turning_vector(body_j, second.across);
+  const Turn<T> turn = turn_of(x_i.now, y_i.now, x_j.now);
+  const T cosine_rate = dot(x_i.rate, x_j.now) + dot(x_i.now, x_j.rate);
+  const T sine_rate = dot(y_i.rate, x_j.now) + dot(y_i.now, x_j.rate);
+  const T cosine_second = dot(x_i.second, x_j.now) + 2 * dot(x_i.rate, x_j.rate) + dot(x_i.now, x_j.second);
+  const T sine_second = dot(y_i.second, x_j.now) + 2 * dot(y_i.rate, x_j.rate) + dot(y_i.now, x_j.second);
+  const T rate = (turn.cosine * sine_rate - turn.sine * cosine_rate) / turn.square;
+  const T change = 2 * (turn.cosine * cosine_rate + turn.sine * sine_rate) / turn.square;
+  const Vector3<T> none = zero_vector<T>();
+  row.value = polar_angle(turn.sine, turn.cosine);
+  row.time_rate = T(0);
+  row.gamma = T(change * rate - (turn.cosine * sine_second - turn.sine * cosine_second) / turn.square);
+  if (detail::has_columns(body_i)) row.first = detail::columns(none, detail::in_body(body_i, negative(turn.axis)));
+  if (detail::has_columns(body_j)) row.second = detail::columns(none, detail::in_body(body_j, turn.axis));
+}
+
 /// An angle, its rate, and the axis that a moment M on body j acts about where its power is M θ̇; −M acts on body i.
 template <class T>
 struct AngleMotion {
