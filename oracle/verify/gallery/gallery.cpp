@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <span>
+#include <map>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "oracle/verify/states/states.hpp"
 
@@ -27,14 +29,15 @@ const std::vector<Mistake>& gallery() {
 namespace {
 
 /// Most mistakes about forces leave pressures and extents alone.
-bool shows(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake) {
+/// @param right  the answers without a mistake, one each state
+bool shows(Quantities quantities, Law law, const std::vector<State>& states, const std::vector<Solution>& right,
+           const Mistake& mistake) {
   bool changes = false;
-  for (const State& state : states) {
-    const Solution right = solve(quantities, law, state);
-    const Solution wrong = solve(quantities, law, state, mistake.changes);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Solution wrong = solve(quantities, law, states[i], mistake.changes);
     if (std::isnan(wrong.answer[0])) return false;
-    changes = changes || std::abs(wrong.answer[0] - right.answer[0]) > 1e-6L * size_of_terms(right) ||
-              std::abs(wrong.answer[1] - right.answer[1]) > 1e-6L * size_of_terms(right);
+    changes = changes || std::abs(wrong.answer[0] - right[i].answer[0]) > 1e-6L * size_of_terms(right[i]) ||
+              std::abs(wrong.answer[1] - right[i].answer[1]) > 1e-6L * size_of_terms(right[i]);
   }
   return changes;
 }
@@ -60,34 +63,38 @@ Real size_of_column(const Solution& s, std::size_t k) {
 }
 
 /// Without dimensions, and in tables, many mistakes leave every answer as it is. Without dimensions others are the same
-/// one: the first of those stands.
-bool differs(Quantities quantities, Law law, const std::vector<State>& states, const Mistake& mistake,
-             const std::vector<const Mistake*>& others) {
-  const auto same = [&](std::span<const Change> changes) {
-    return std::ranges::all_of(states, [&](const State& state) {
-      const Solution a = solve(quantities, law, state, mistake.changes);
-      const Solution b = solve(quantities, law, state, changes);
-      if (is_table(quantities)) {
-        for (std::size_t k = 0; k < answer_columns(quantities).size(); ++k) {
-          if (std::abs(a.answer[k] - b.answer[k]) > 1e-6L * size_of_column(b, k)) return false;
-        }
-        return true;
+/// one: the first of those stands. The answers without a mistake as above.
+bool differs(Quantities quantities, Law law, const std::vector<State>& states, const std::vector<Solution>& right,
+             const Mistake& mistake, const std::vector<const Mistake*>& others) {
+  const auto same_answer = [&](const Solution& a, const Solution& b) {
+    if (is_table(quantities)) {
+      for (std::size_t k = 0; k < answer_columns(quantities).size(); ++k) {
+        if (std::abs(a.answer[k] - b.answer[k]) > 1e-6L * size_of_column(b, k)) return false;
       }
-      const Real size = 1e-6L * (std::abs(a.answer[0]) + std::abs(a.answer[1]) + size_of_terms(b));
-      return std::abs(a.answer[0] - b.answer[0]) <= size && std::abs(a.answer[1] - b.answer[1]) <= size;
-    });
+      return true;
+    }
+    const Real size = 1e-6L * (std::abs(a.answer[0]) + std::abs(a.answer[1]) + size_of_terms(b));
+    return std::abs(a.answer[0] - b.answer[0]) <= size && std::abs(a.answer[1] - b.answer[1]) <= size;
+  };
+  const auto same = [&](const auto& other) {  // other(i): the answer to state i
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (!same_answer(solve(quantities, law, states[i], mistake.changes), other(i))) return false;
+    }
+    return true;
   };
   // Neither oil nor bearing nor spin is an input.
   const bool about_inputs = std::ranges::any_of(
       mistake.changes, [](const Change& change) { return change.step == Step::inputs || change.step == Step::scale; });
   if (about_inputs && quantities == Quantities::dimensionless) return false;
-  if (quantities != Quantities::dimensionless) return !same({});  // what can't be told apart is said together
-  return !same({}) && std::ranges::none_of(others, [&](const Mistake* other) { return same(other->changes); });
+  if (same([&](std::size_t i) -> const Solution& { return right[i]; })) return false;
+  if (quantities != Quantities::dimensionless) return true;  // what can't be told apart is said together
+  return std::ranges::none_of(others, [&](const Mistake* each) {
+    return same([&](std::size_t i) { return solve(quantities, law, states[i], each->changes); });
+  });
 }
 
-}  // namespace
-
-std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
+/// Those of mistakes_for, worked out.
+std::vector<const Mistake*> find_mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
   const bool of_few_numbers =
@@ -102,11 +109,13 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
       states.back().shear = ShearExtent::flooded;
     }
   }
+  std::vector<Solution> right;
+  for (const State& state : states) right.push_back(solve(quantities, law, state));
   for (const Mistake& mistake : gallery()) {
     if (!mistake.applies(quantities, law)) continue;
     if (is_table(quantities) && !concerns_table(law, mistake)) continue;
-    if (may_be_blind && !shows(quantities, law, states, mistake)) continue;
-    if (of_few_numbers && !differs(quantities, law, states, mistake, list)) continue;
+    if (may_be_blind && !shows(quantities, law, states, right, mistake)) continue;
+    if (of_few_numbers && !differs(quantities, law, states, right, mistake, list)) continue;
     list.push_back(&mistake);
   }
   // Of mistakes that do the same, the table's own is named first.
@@ -115,6 +124,18 @@ std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law) {
       return !is_about_inputs(*m) || !m->applies(Quantities::cartesian, law);
     });
   return list;
+}
+
+}  // namespace
+
+const std::vector<const Mistake*>& mistakes_for(Quantities quantities, Law law) {
+  // Asked for with every set of answers, and worked out from hundreds of states.
+  static std::map<std::pair<Quantities, std::size_t>, std::vector<const Mistake*>> found;
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto [place, is_new] = found.try_emplace({quantities, law.place});
+  if (is_new) place->second = find_mistakes_for(quantities, law);
+  return place->second;
 }
 
 const Mistake& mistake_of(std::string_view name) {

@@ -21,8 +21,8 @@ struct Mistake {
 /// All mistakes, in the order in which they are described.
 const std::vector<Mistake>& gallery();
 
-/// The ones that can be made with these quantities and this law, and that change an answer.
-std::vector<const Mistake*> mistakes_for(Quantities quantities, Law law);
+/// The ones that can be made with these quantities and this law, and that change an answer. Worked out once.
+const std::vector<const Mistake*>& mistakes_for(Quantities quantities, Law law);
 
 /// The mistake of that name. @throws std::invalid_argument that lists what there is
 const Mistake& mistake_of(std::string_view name);
