@@ -157,6 +157,14 @@ struct InPlane {
   static void hold_tables(const Equations& ode, Workspace<T>& w) {
     w.table_pieces = &ode.table_pieces();
   }
+  /// Kinematics of the joints, for functions and forces: they are quicker found again than kept.
+  template <class T>
+  static void place_joints(const System&, Workspace<T>&) {}
+  /// The chart's functions at the frames. @param keep  as of CoordinateChart::for_each_function
+  template <class T, class Keep>
+  static void for_each_function(const Chart& chart, const Workspace<T>& w, bool, const Keep& keep) {
+    chart.for_each_function(w, keep);
+  }
   /// All forces at the frames. @param correct  as of PlanarSystem::apply_forces
   template <class T, class Time, class Correct>
   static void apply_forces(const System& system, const Time& t, const Memory& memory, Workspace<T>& w,

@@ -199,11 +199,21 @@ struct InSpace {
     if (!ode.turns().empty()) w.turns = &ode.turns();
     if constexpr (ScalarTraits<T>::carries_derivatives) hold_tables(ode, w.implicit.at);
   }
-  /// All forces at the frames. @param correct  as of SpatialSystem::apply_forces
+  /// Kinematics of the joints, for functions and forces.
+  template <class T>
+  static void place_joints(const System& system, Workspace<T>& w) {
+    system.place_joints(w);
+  }
+  /// The chart's functions at the frames. @param keep  as of SpatialCoordinateChart::for_each_function
+  template <class T, class Keep>
+  static void for_each_function(const Chart& chart, const Workspace<T>& w, bool joints_are_placed, const Keep& keep) {
+    chart.for_each_function(w, keep, joints_are_placed);
+  }
+  /// All forces at the frames, of joints that are placed. @param correct  as of SpatialSystem::apply_forces
   template <class T, class Time, class Correct>
   static void apply_forces(const System& system, const Time& t, const Memory& memory, Workspace<T>& w,
                            const Correct& correct) {
-    system.apply_forces(t, memory, w, System::every_body, correct);
+    system.apply_forces(t, memory, w, System::every_body, correct, true);
   }
   /// Do forces hold journals on lines, so that only the whole equations know them?
   template <class T>

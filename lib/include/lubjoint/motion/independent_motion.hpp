@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -198,6 +199,7 @@ class IndependentMotion {
     find_velocities(latest(), x);
     for (std::size_t k = 0; k < f; ++k) speeds_[k] = x[f + k];
     move_frames_on(free());
+    In::place_joints(system_, w_);
     find_gammas(t, free());
     const std::vector<R>& prescribed = moment().accelerations;
     chart_.parts().for_each_coupling(
@@ -238,8 +240,9 @@ class IndependentMotion {
 
   /// Evaluates the constraints of a part at the frames and hands each of its rows to keep(its number in the part, row),
   /// which the compiler spares what it does not read.
+  /// @param joints_are_placed  has In::place_joints been called for the frames?
   template <class Keep>
-  void for_each_row(const R& t, const Part& part, const Keep& keep) {
+  void for_each_row(const R& t, const Part& part, bool joints_are_placed, const Keep& keep) {
     const Parts& parts = chart_.parts();
     in_one_piece<R>([&] {
       for (const std::size_t c : part.constraints) {
@@ -252,7 +255,7 @@ class IndependentMotion {
       }
       if (&part == &parts.prescribed()) return;
       const std::size_t first = first_function();
-      chart_.for_each_function(w_, [&](std::size_t k, const auto& row) {
+      In::for_each_function(chart_, w_, joints_are_placed, [&](std::size_t k, const auto& row) {
         const auto [body_i, body_j] = chart_.bodies_of(k);
         keep(first + k, directions().of(row, body_i, body_j));
       });
@@ -262,7 +265,7 @@ class IndependentMotion {
   /// Φ and C − z at the frames.
   template <class Small>
   void find_residual(const R& t, const Small& x) {
-    for_each_row(t, free(), [this](std::size_t number, const auto& row) { residual_[number] = row.value; });
+    for_each_row(t, free(), false, [this](std::size_t number, const auto& row) { residual_[number] = row.value; });
     for (std::size_t k = 0; k < freedoms(); ++k) {
       R& residual = residual_[first_function() + k];
       residual = chart_.miss(k, residual, x[k]);
@@ -271,12 +274,12 @@ class IndependentMotion {
 
   /// Rows and factors at the frames.
   void factorise_here(const R& t, const Part& part, R* numbers) {
-    for_each_row(t, part, [numbers](std::size_t number, const auto& row) { Parts::put(number, row, numbers); });
+    for_each_row(t, part, false, [numbers](std::size_t number, const auto& row) { Parts::put(number, row, numbers); });
     part.lu.factorise(numbers);
   }
 
   void find_gammas(const R& t, const Part& part) {
-    for_each_row(t, part, [this](std::size_t number, const auto& row) { gammas_[number] = row.gamma; });
+    for_each_row(t, part, true, [this](std::size_t number, const auto& row) { gammas_[number] = row.gamma; });
   }
 
   template <class Small>
@@ -304,6 +307,20 @@ class IndependentMotion {
     return size;
   }
 
+  /// Factors of v and of ½v̇ dt in what velocity i is moved by in dt. A body that keeps its spin ω goes on a circle:
+  ///   Δr = dt (sin φ/φ ṙ + ½dt (2(1 − cos φ)/φ²) r̈),  φ = |ω|dt,
+  /// and what the time alone prescribes is mostly such a body. Up to φ = 1, by series.
+  std::array<R, 2> on_a_circle(std::size_t i, const R& dt) const {
+    if (i % In::velocities >= dimensions) return {R(1), R(1)};
+    const R* spin = y_.data() + places_end_ + (i - i % In::velocities) + dimensions;
+    R square(0);
+    for (std::size_t k = 0; k < In::velocities - dimensions; ++k) square += spin[k] * spin[k];
+    square *= dt * dt;
+    if (!(square < 1)) return {R(1), R(1)};
+    return {R(1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)))),
+            R(1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90))))};
+  }
+
   /// q near those of the same time, or of the latest place.
   template <class Small>
   void guess(const Place& from, const R& t, const Small& x) {
@@ -319,7 +336,10 @@ class IndependentMotion {
     };
     if (from.t != t && accelerated_) {
       const R dt = t - from.t;
-      const auto moved = [&](std::size_t i) { return R(dt * (y_[places_end_ + i] + dt / 2 * w_.accelerations[i])); };
+      const auto moved = [&](std::size_t i) {
+        const auto [of_rate, of_acceleration] = on_a_circle(i, dt);
+        return R(dt * (of_rate * y_[places_end_ + i] + dt / 2 * of_acceleration * w_.accelerations[i]));
+      };
       for (std::size_t k = 0; k < f; ++k)
         right_[k] = chart_.miss(k, R(right_[k] - dt * (speeds_[k] + dt / 2 * accelerations_[k])), R(0));
       const auto component = [&](std::size_t i) { return directions().component(i, moved); };
@@ -421,11 +441,13 @@ class IndependentMotion {
   void newton(const Part& part, const NextStep& next_step) {
     using std::sqrt;
     const R near = sqrt(std::numeric_limits<R>::epsilon()) / 2;
+    // What is prescribed is found once a time, and so to the last unit that rounding leaves.
+    const R moves_from = &part == &prescribed() ? R(0) : rounding();
     R before = std::numeric_limits<R>::infinity();
     for (int iteration = 0;; ++iteration) {
       const auto step = next_step();
       const R size = size_of_step(part, step);
-      if (!(size <= rounding())) {
+      if (!(size <= moves_from)) {
         if (!(size < 1) || iteration == most_iterations)
           throw SingularConstraints("no places near the last ones fulfil the constraints");
         In::displace(

@@ -293,7 +293,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
                dual_.frames[b]);
     }
     move_seeded();
-    visit_rows(t, whole, [](auto& to, const auto& from) {
+    visit_rows(t, whole, false, [](auto& to, const auto& from) {
       to.time_rate = from.time_rate;
       to.first = from.first;
       to.second = from.second;
@@ -314,8 +314,9 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
             (along(seeded_functions_[k], k, dual_.accelerations.data()) - seeded_functions_[k].gamma).derivatives();
     } else {
       move_seeded();
+      In::place_joints(system_, dual_);
+      visit_rows(t, whole, true, [](auto& to, const auto& from) { to.gamma = from.gamma; });
       In::apply_forces(system_, t, memory(), dual_, [](std::size_t, const auto&) {});
-      visit_rows(t, whole, [](auto& to, const auto& from) { to.gamma = from.gamma; });
       differentiate_accelerations(whole);
     }
     if (ode_.with_ledger()) {
@@ -334,7 +335,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   /// Rows at these, all, or those that are not prescribed: take(to, from) takes what is asked for from each, which the
   /// compiler spares what it does not read. γ is of velocities, and all else of places alone.
   template <class Time, class Take>
-  void visit_rows(const Time& t, bool whole, const Take& take) {
+  void visit_rows(const Time& t, bool whole, bool joints_are_placed, const Take& take) {
     const auto visit = [&](std::size_t c) {
       In::for_each_row(system_, c, t, dual_, [&](std::size_t row, const auto& from) {
         if (whole || chart_.parts().is_in(free(), row)) take(dual_.rows[In::system_row(system_, row)], from);
@@ -345,7 +346,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     } else {
       for (const std::size_t c : free().constraints) visit(c);
     }
-    chart_.for_each_function(dual_, [&](std::size_t k, const auto& row) { take(seeded_functions_[k], row); });
+    In::for_each_function(chart_, dual_, joints_are_placed,
+                          [&](std::size_t k, const auto& row) { take(seeded_functions_[k], row); });
   }
 
   /// Calls act(row of A) for those of constraints.

@@ -86,8 +86,9 @@ class SpatialCoordinateChart {
   }
 
   /// The same, one after the other to keep(k, row), which the compiler spares what it does not read.
+  /// @param joints_are_placed  does the workspace have the kinematics of its joints, from its frames?
   template <class T, class Keep>
-  void for_each_function(const SpatialWorkspace<T>& w, const Keep& keep) const {
+  void for_each_function(const SpatialWorkspace<T>& w, const Keep& keep, bool joints_are_placed = false) const {
     for (std::size_t k = 0; k < freedoms(); ++k) {
       const Candidate& c = candidates_[chosen_[k]];
       if (!is_of_joint(k)) {
@@ -101,7 +102,7 @@ class SpatialCoordinateChart {
       const bool both = c.part == 0 && k + 1 < freedoms() && chosen_[k + 1] == chosen_[k] + 1;
       in_one_piece<T>([&] {
         std::array<SpatialRow<T>, 2> rows;
-        fill_joint(joint_of(k), w, rows);
+        fill_joint(joint_of(k), w, rows, joints_are_placed);
         keep(k, rows[c.part]);
         if (both) keep(k + 1, rows[1]);
       });
@@ -164,11 +165,16 @@ class SpatialCoordinateChart {
   std::size_t of_joints() const { return 2 * system_->joints().size(); }
 
   template <class T>
-  void fill_joint(std::size_t joint, const SpatialWorkspace<T>& w, std::array<SpatialRow<T>, 2>& rows) const {
+  void fill_joint(std::size_t joint, const SpatialWorkspace<T>& w, std::array<SpatialRow<T>, 2>& rows,
+                  bool is_placed = false) const {
     const SpatialJointElement<R>& at = system_->joints()[joint];
     const SpatialFrame<T>& bearing = system_->frame(at.bearing_at.body, w);
     const SpatialFrame<T>& journal = system_->frame(at.journal_at.body, w);
-    fill_eccentricity(bearing, journal, at.kinematics(bearing, journal), rows);
+    if (is_placed) {
+      fill_eccentricity(bearing, journal, w.joints[joint].kinematics, rows);
+    } else {
+      fill_eccentricity(bearing, journal, at.kinematics(bearing, journal), rows);
+    }
   }
   template <class T>
   void fill_of_body(const Candidate& c, const SpatialWorkspace<T>& w, SpatialRow<T>& row) const {

@@ -210,6 +210,12 @@ class SpatialSystem {
     }
   }
 
+  /// Kinematics of the joints, from the frames. @throws JournalAcross
+  template <class T>
+  void place_joints(SpatialWorkspace<T>& w) const {
+    for (std::size_t j = 0; j < joints_.size(); ++j) w.joints[j].kinematics = joint_kinematics(j, w);
+  }
+
   /// Weights, loads, gyroscopic moments and joints, into forces.
   /// @param body  whose part alone is formed, or every_body
   template <class T, class Time>
@@ -218,9 +224,10 @@ class SpatialSystem {
     apply_forces(t, memory, w, body, [](std::size_t, const SpatialJointKinematics<T>&) {});
   }
   /// @param correct  correct(j, kinematics) may put better eccentricities and velocities into those of joint j
+  /// @param joints_are_placed  has place_joints been called for the frames?
   template <class T, class Time, class Correct>
   void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w, std::size_t body,
-                    const Correct& correct) const {
+                    const Correct& correct, bool joints_are_placed = false) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (has_to_do(body, b)) {
         apply_to_body(b, w);
@@ -247,7 +254,8 @@ class SpatialSystem {
         if constexpr (ScalarTraits<T>::carries_derivatives) w.joints[j] = {};  // zeros
         continue;
       }
-      SpatialJointKinematics<T> at = joint.kinematics(frame(joint.bearing_at.body, w), frame(joint.journal_at.body, w));
+      if (!joints_are_placed) w.joints[j].kinematics = joint_kinematics(j, w);
+      SpatialJointKinematics<T> at = w.joints[j].kinematics;
       correct(j, at);
       w.joints[j] = slides ? joint.force_at(at, memory[j], turn_of_joint(t, j, w).angle)
                            : joint.force_at(at, memory.empty() ? no_memory : memory[j]);
