@@ -98,7 +98,10 @@ TEST_CASE("scene in space: the plane's reader says that it is one, and what runs
   CHECK(scene_dimension(SceneFile(folder + "top.toml")) == 3);
   CHECK(scene_dimension(SceneFile(std::filesystem::path(LUBJOINT_SOURCE_DIR) / "data/scenes/journal.toml")) == 2);
   CHECK_THROWS_WITH(load_scene(folder + "top.toml"),
-                    Contains("top.toml:6: dimension is 3; allowed is 2 here") && Contains("simulate alone"));
+                    Contains("top.toml:6: dimension is 3; allowed is 2 here") && Contains("simulate, cost and bench"));
+  const std::string text = read_text(std::string(LUBJOINT_SOURCE_DIR) + "/data/scenes/journal.toml");
+  CHECK_THROWS_WITH(parse_scene("dimension = 5\n" + text, "any.toml"),
+                    Contains("any.toml:1: dimension is 5; allowed is 2, or 3 in space"));
 }
 
 TEST_CASE("scene in space: what ships starts on its constraints, with the columns that are documented") {

@@ -234,9 +234,10 @@ void require_massless_journals(const TableReader& root, const Scene& scene) {
 Scene read_scene(TableReader root, const std::string& file, bool is_rough = false) {
   Scene scene;
   scene.file = file;
-  if (root.number_or("dimension", 2, Allowed::positive, "-") != 2) {
-    root.refuse("dimension", with_unit(root.number("dimension", Allowed::positive, "-"), ""),
-                "2 here: scenes in space (dimension = 3) are run by simulate alone");
+  if (const double dimension = root.number_or("dimension", 2, Allowed::positive, "-"); dimension != 2) {
+    root.refuse("dimension", with_unit(dimension, ""),
+                dimension == 3 ? "2 here: scenes in space are for simulate, cost and bench scenes alone"
+                               : "2, or 3 in space");
   }
   // A table that nobody asks for is refused first: what it was meant to be would only be missed later.
   root.require_tables_among({"name", "gravity", "duration", "bodies", "loads", "joints", "constraints", "springs",
