@@ -336,17 +336,19 @@ class IndependentMotion {
     };
     if (from.t != t && accelerated_) {
       const R dt = t - from.t;
-      const auto moved = [&](std::size_t i) {
+      const auto moved = [&](std::size_t i) { return R(dt * (y_[places_end_ + i] + dt / 2 * w_.accelerations[i])); };
+      const auto moved_on_a_circle = [&](std::size_t i) {
         const auto [of_rate, of_acceleration] = on_a_circle(i, dt);
         return R(dt * (of_rate * y_[places_end_ + i] + dt / 2 * of_acceleration * w_.accelerations[i]));
       };
       for (std::size_t k = 0; k < f; ++k)
         right_[k] = chart_.miss(k, R(right_[k] - dt * (speeds_[k] + dt / 2 * accelerations_[k])), R(0));
-      const auto component = [&](std::size_t i) { return directions().component(i, moved); };
       In::displace(
-          chart_, prescribed(), [&](std::size_t i) { return component(prescribed().columns[i]); }, y_.data());
+          chart_, prescribed(),
+          [&](std::size_t i) { return directions().component(prescribed().columns[i], moved_on_a_circle); }, y_.data());
       In::displace(
-          chart_, free(), [&](std::size_t i) { return R(component(free().columns[i]) + along(i)); }, y_.data());
+          chart_, free(), [&](std::size_t i) { return R(directions().component(free().columns[i], moved) + along(i)); },
+          y_.data());
     } else {
       for (std::size_t k = 0; k < f; ++k) right_[k] = chart_.miss(k, right_[k], R(0));
       In::displace(chart_, free(), along, y_.data());
