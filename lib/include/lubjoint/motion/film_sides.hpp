@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "lubjoint/motion/jump_side.hpp"
@@ -17,17 +18,18 @@ namespace lubjoint {
 /// The sides of half films as a run sees them. On a = 0 Filippov's rule says which way a film goes: where the
 /// tangential force that keeps a = 0 lies inside the jump, the journal slides; else the film goes to the side to which
 /// all other forces drive it.
-/// @tparam Bodies  of the plane or of space, with R and State: memory(), memory_of(j) to be changed, joints(), joint(j)
-/// as an element of its plane;
+/// @tparam Bodies  of the plane or of space, with R and State:
+///   memory(), memory_of(j) to be changed, joints(), joint(j) as an element of its plane;
 ///   evaluate(t, y) and its workspace last(); place(t, y) of the bodies and, of these, motion(j) of a journal and
-///   sizes(j), its numbers of place and speed; of an evaluated state eccentricity_acceleration(j), where motion(j) is
-///   seen from, and force_size(); moved(y, a moment); line_angle(t, y, j) of the frame in which lines keep theirs
+///   sizes(j), its numbers of place and speed;
+///   of an evaluated state eccentricity_acceleration(j), where motion(j) is seen from, and force_size();
+///   moved(y, a moment); line_angle(t, y, j) of the frame in which lines keep theirs
 template <class Bodies>
 class FilmSides {
  public:
   using R = typename Bodies::R;          ///< the number
   using State = typename Bodies::State;  ///< y
-  static constexpr std::size_t margins_each = 2;
+  static constexpr std::size_t margins_each = 2;  ///< of a joint, that add_margins adds
 
   /// Of all joints; those without a half film have no side.
   explicit FilmSides(Bodies bodies)
