@@ -29,12 +29,13 @@ auto across_line(const System& system, const Slide& slide, const At& x) {
   return sum;
 }
 
-/// Adds a multiple of what a slide's force does to forces f(k), that of velocity k.
-template <class System, class Slide, class T, class Force>
-void push(const System& system, const Slide& slide, const T& force, const Force& f) {
+/// Adds what a slide's tangential force does to the forces on the bodies and to the joint's results.
+template <class System, class Slide, class Workspace>
+void apply_slide(const System& system, const Slide& slide, Workspace& w) {
   for_each_side(system, slide, [&](std::size_t body, const auto&, const auto& columns) {
-    for (std::size_t c = 0; c < columns.size(); ++c) f(columns.size() * body + c) += columns[c] * force;
+    for (std::size_t c = 0; c < columns.size(); ++c) w.forces[columns.size() * body + c] += columns[c] * slide.force;
   });
+  system.push_journal(slide, slide.force, w);
 }
 
 /// Rows n⊥·e = 0 of the plane's journals that slide, from the frames, and what their forces act on. With
@@ -128,8 +129,7 @@ void hold_slides(const System& system, Workspace& w) {
   for (Eigen::Index k = 0; k < count; ++k) {
     auto& slide = w.slides[static_cast<std::size_t>(k)];
     slide.force = T(wanted(k));
-    push(system, slide, slide.force, [&w](std::size_t i) -> T& { return w.forces[i]; });
-    system.push_journal(slide, slide.force, w);
+    apply_slide(system, slide, w);
   }
 }
 

@@ -172,8 +172,7 @@ class SpatialSystem {
       place_slides(t, memory, w);
       for (std::size_t k = 0; k < w.slides.size(); ++k) {
         w.slides[k].force = T(at.slides[k].force);
-        detail::push(*this, w.slides[k], w.slides[k].force, [&w](std::size_t i) -> T& { return w.forces[i]; });
-        push_journal(w.slides[k], w.slides[k].force, w);
+        detail::apply_slide(*this, w.slides[k], w);
       }
     }
     solve(body, w);
