@@ -15,6 +15,7 @@
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
+#include "oracle/verify/states/finite_tables.hpp"
 #include "oracle/verify/states/foreign_program.hpp"
 #include "oracle/verify/trajectory/scene_suspects.hpp"
 #include "oracle/verify/trajectory/trajectory_report.hpp"
@@ -108,7 +109,7 @@ void check_table(const VerifyOptions& o) {
   if (o.law == "auto" || o.law.empty() || verify::facts_of(verify::law_of(o.law)).extent != FilmExtent::half) {
     throw std::invalid_argument(
         "--shear striated is defined for half films alone; allowed are film and flooded, or "
-        "--law short_half, long_half or long_half_eq5");
+        "--law short_half, long_half, long_half_eq5 or finite_half");
   }
 }
 
@@ -222,7 +223,7 @@ std::vector<verify::State> states_of(const VerifyOptions& o, verify::Quantities 
     state.shear = shear;
     if (shear != ShearExtent::film) state.golden.reset();  // certified are the films' own losses
   }
-  return o.at_most ? verify::covering_states(quantities, std::move(states), *o.at_most) : states;
+  return states;
 }
 
 /// What the program answers, with a line on a terminal that counts.
@@ -261,30 +262,45 @@ verify::Answers answers_to(const VerifyOptions& o, verify::Quantities quantities
   return verify::read_answers(quantities, text, name, count);
 }
 
-/// A film of finite length: its states, its judge and its report are its own.
-int run_finite(const VerifyOptions& o) {
-  for (const std::string& name : o.given) {
-    for (const char* other : {"--states", "--seed", "--golden", "--unit", "--shear"}) {
-      if (name == other) throw std::invalid_argument(name + " does nothing with --law " + o.law);
-    }
-  }
-  const verify::Quantities quantities = verify::quantities_of(o.quantities);
-  const auto onset = o.onset.empty() ? std::nullopt : std::optional(o.onset);
-  const verify::FiniteClaim claim{oracle::finite_film_of(o.law), oracle::film_onset_of(o.law, onset, "--onset")};
-  const verify::Conjunction domain = domain_of(o, quantities);
-  std::vector<verify::State> states = verify::finite_states(quantities, domain);
+/// The judgement of answers to these states, by the program or in the file.
+template <class Judge>
+int judged(const VerifyOptions& o, verify::Quantities quantities, std::vector<verify::State> states,
+           const Judge& judge) {
   if (o.at_most) states = verify::covering_states(quantities, std::move(states), *o.at_most);
   const std::string csv = verify::states_csv(quantities, states);
   if (!o.states_out.empty()) return put_states(o, csv);
   try {
     verify::Answers answers = answers_to(o, quantities, csv, states.size());
-    const auto result =
-        verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers), o.tolerance.value_or(0),
-                                   reports::available_cores(), verify::words(domain));
-    return report(result, o.json);
+    return report(judge(std::move(states), std::move(answers)), o.json);
   } catch (const verify::UnjudgedError& error) {
     return refuse(o, error);
   }
+}
+
+/// A film of finite length: its states are its own, and so is the judge of its forces.
+int run_finite(const VerifyOptions& o) {
+  const verify::Quantities quantities = verify::quantities_of(o.quantities);
+  for (const std::string& name : o.given) {
+    for (const char* other : {"--states", "--seed", "--golden", "--unit"}) {
+      if (name == other) throw std::invalid_argument(name + " does nothing with --law " + o.law);
+    }
+  }
+  const auto onset = o.onset.empty() ? std::nullopt : std::optional(o.onset);
+  const verify::FiniteClaim claim{oracle::finite_film_of(o.law), oracle::film_onset_of(o.law, onset, "--onset")};
+  const verify::Conjunction domain = domain_of(o, quantities);
+  const double tolerance = o.tolerance.value_or(verify::finite_tolerance);
+  const unsigned threads = reports::available_cores();
+  if (!verify::is_table(quantities)) {
+    return judged(o, quantities, verify::finite_states(quantities, domain), [&](auto&& states, auto&& answers) {
+      return verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers), tolerance, threads,
+                                        verify::words(domain));
+    });
+  }
+  return judged(o, quantities, verify::finite_table_states(claim, quantities, domain, shear_extent(o.shear), threads),
+                [&](auto&& states, auto&& answers) {
+                  return verify::verify_answers(quantities, o.law, std::move(states), std::move(answers),
+                                                {tolerance, verify::words(domain)});
+                });
 }
 
 int run(const VerifyOptions& o) {
@@ -309,17 +325,11 @@ int run(const VerifyOptions& o) {
   if (claims_finite_film(o)) return run_finite(o);
   if (!o.onset.empty()) throw std::invalid_argument("--onset does nothing without --law finite_reynolds");
   const verify::Quantities quantities = verify::quantities_of(o.quantities);
-  std::vector<verify::State> states = states_of(o, quantities);
-  const std::string csv = verify::states_csv(quantities, states);
-  if (!o.states_out.empty()) return put_states(o, csv);
-  try {
-    verify::Answers answers = answers_to(o, quantities, csv, states.size());
+  return judged(o, quantities, states_of(o, quantities), [&](auto&& states, auto&& answers) {
     verify::scale(answers, o.unit);
     const verify::VerifySettings settings{o.tolerance.value_or(0), verify::words(domain_of(o, quantities))};
-    return report(verify::verify_answers(quantities, o.law, std::move(states), std::move(answers), settings), o.json);
-  } catch (const verify::UnjudgedError& error) {
-    return refuse(o, error);
-  }
+    return verify::verify_answers(quantities, o.law, std::move(states), std::move(answers), settings);
+  });
 }
 
 }  // namespace
@@ -327,10 +337,11 @@ int run(const VerifyOptions& o) {
 void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", words_of("verify"));
-  command->add_option(
-      "--law", options->law,
-      "Film law that it claims, or auto: find out; with --scene, in place of the scene's. finite_full, "
-      "finite_half,\nfinite_dynamic or finite_reynolds: the film of the bearing's length, by the solver");
+  command->add_option("--law", options->law,
+                      "Film law that it claims, or auto: find out; with --scene, in place of the scene's. finite_full, "
+                      "finite_half,\nfinite_dynamic or finite_reynolds: the film of the bearing's length, by the "
+                      "solver, with --quantities\n"
+                      "cartesian, polar, coefficients, equilibrium or losses");
   command->add_option("--onset", options->onset,
                       "Where the film of finite_reynolds begins in steady rotation: free (default) or maximum_film");
   command->add_option(

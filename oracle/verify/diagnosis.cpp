@@ -22,7 +22,7 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& all, std::size_
 class Matcher {
  public:
   Matcher(const Judgement& judgement, const std::vector<State>& states, const Answers& answers, double precision)
-      : judgement_(judgement), states_(states), answers_(answers), precision_(precision) {
+      : judgement_(judgement), states_(states), answers_(answers), precision_(std::max(precision, judgement.accepted)) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Comparison& c = judgement.comparisons[i];
       if (c.left_out()) continue;
@@ -104,7 +104,7 @@ class Matcher {
     const double relative = reference.size[k] > 0 ? 2 * rounding / reference.size[k] : 0;
     const double value = static_cast<double>(std::abs(predicted));
     const double vector_size = given_size(i, k);
-    return rounding + (relative + 0x1p10 * precision.roundoff + precision_) * vector_size +
+    return rounding + reference.error[k] + (relative + 0x1p10 * precision.roundoff + precision_) * vector_size +
            1.01 * precision.text.relative * value + 1.01 * precision.text.absolute;
   }
 

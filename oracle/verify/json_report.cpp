@@ -28,7 +28,7 @@ json state_json(const Verification& v, std::size_t i) {
     const std::string name(names[k]);
     expected[name] = static_cast<double>(v.judgement.references[i].expected[k]);
     received[name] = number_or_null(v.answers.values[i][k]);
-    tolerance[name] = v.judgement.precision.tolerance(v.judgement.references[i], k);
+    tolerance[name] = tolerance_of(v.judgement, i, k);
   }
   json certified;
   if (const GoldenAnswers::Row* row = v.judgement.references[i].golden) {

@@ -23,7 +23,7 @@ std::string compared_numbers(const Verification& v, std::size_t i) {
     const Reference& reference = v.judgement.references[i];
     fmt::format_to(std::back_inserter(text), "  {:<{}} expected {:<25} received {:<25} tolerance {:.1e}\n", names[k],
                    is_table(v.judgement.quantities) ? 18 : 12, static_cast<double>(reference.expected[k]),
-                   v.answers.values[i][k], v.judgement.precision.tolerance(reference, k));
+                   v.answers.values[i][k], tolerance_of(v.judgement, i, k));
   }
   return text;
 }
@@ -130,8 +130,10 @@ std::string headline(const Verification& v) {
   for (const Law other : v.other_laws) law += ", or as well " + std::string(name_of(other));
   if (v.law_was_found) law += v.law_is_doubtful ? " (the nearest of all laws)" : " (found among all laws)";
   const std::string domain = v.settings.domain.empty() ? "" : " where " + v.settings.domain;
-  const std::string precision = v.settings.tolerance > 0 ? fmt::format("within {:g} of the force", v.settings.tolerance)
-                                                         : "in " + j.precision.words();
+  const std::string precision = v.settings.tolerance > 0
+                                    ? fmt::format("within {:g} of {}", v.settings.tolerance,
+                                                  is_table(j.quantities) ? "each number's size" : "the force")
+                                    : "in " + j.precision.words();
   const std::string open = j.undecided > 0 ? fmt::format(", {} undecided", j.undecided) : "";
   switch (v.verdict) {
     case Verdict::agrees:

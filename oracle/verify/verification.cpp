@@ -13,6 +13,7 @@ namespace lubjoint::verify {
 namespace {
 
 bool has_answers(Quantities quantities, Law law) {
+  if (is_solved_film(law)) return is_table(quantities);
   if (is_contact_law(law) || quantities == Quantities::contact) {
     return is_contact_law(law) && quantities == Quantities::contact;
   }
@@ -294,6 +295,10 @@ void require_law(Quantities quantities, const std::string& law) {
   if (law == "auto") return;
   const Law named = law_of(law);
   if (has_answers(quantities, named)) return;
+  if (is_solved_film(named)) {
+    throw std::invalid_argument("--quantities " + std::string(name_of(quantities)) + " is not judged for " + law +
+                                "; allowed are " + std::string(quantities_of_solved_films));
+  }
   if (is_contact_law(named) || quantities == Quantities::contact) {
     throw std::invalid_argument("law " + law + " and --quantities " + std::string(name_of(quantities)) +
                                 " do not go together; allowed with contact are auto, lankarani_nikravesh, "
@@ -308,11 +313,22 @@ void require_law(Quantities quantities, const std::string& law) {
                               std::string(name_of(quantities)) + " allows every other law");
 }
 
+namespace {
+
+/// Every set of mistakes about a film that a solver knows is solved for; one with a free boundary takes a second.
+SearchDepth depth_for(Law law) {
+  if (law == "finite_reynolds"_law) return SearchDepth::single;
+  return is_solved_film(law) ? SearchDepth::pairs : SearchDepth::triples;
+}
+
+}  // namespace
+
 Verification verify_answers(Quantities quantities, const std::string& law, std::vector<State> states, Answers answers,
                             const VerifySettings& settings) {
   require_law(quantities, law);
   if (law == "auto") return best_law(quantities, states, answers, settings);
-  return made(quantities, law_of(law), states, answers, settings, SearchDepth::triples);
+  const Law named = law_of(law);
+  return made(quantities, named, states, answers, settings, depth_for(named));
 }
 
 std::string next_step(const Verification& v) {

@@ -124,7 +124,7 @@ def states(quantities: str = "cartesian", random: Optional[int] = None, seed: Op
            domain: Domain = None, steady: bool = False, shear: Optional[str] = None, at_most: Optional[int] = None,
            law: str = "auto", onset: Optional[str] = None) -> dict[str, NDArray[numpy.float64]]:
     """The states that functions are asked about, as a dictionary of arrays: the golden ones, designed ones, random ones;
-    of a film of finite length (law="finite_...") 120 of its own. Arguments as of verify(). SI units; one array a column,
+    of a film of finite length (law="finite_...") 120 of its own, or 56 loads. Arguments as of verify(). SI units; one array a column,
     all of shape (states,). Source: the golden ones are those of data/golden. ValueError for unknown quantities, a domain
     that can't be read or holds no state, and an argument without effect.
 
@@ -188,7 +188,8 @@ def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "c
                gonthier. finite_full, finite_half, finite_dynamic and finite_reynolds are judged by the solver of Reynolds'
                equation, with the bound that it states; they are not among those that "auto" looks at
     quantities "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless", "coefficients",
-               "equilibrium", "losses" or "contact"; of a film of finite length "cartesian" or "polar"
+               "equilibrium", "losses" or "contact"; of a film of finite length "cartesian", "polar", "coefficients",
+               "equilibrium" or "losses"
     random     random states beside the golden and the designed ones, by default 1000
     seed       of the random states, by default 1
     domain     what the function is meant for: "omega_sum > 0, eccentricity_ratio > 0" or a list of such conditions

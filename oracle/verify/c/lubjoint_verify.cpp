@@ -13,6 +13,7 @@
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
+#include "oracle/verify/states/finite_tables.hpp"
 #include "oracle/verify/verification.hpp"
 
 namespace {
@@ -59,14 +60,16 @@ std::vector<State> asked(const lubjoint_verify_request* request) {
     throw std::invalid_argument("shear does nothing with the quantities " + std::string(name_of(kind)) +
                                 "; allowed is it with losses");
   }
+  const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
   std::vector<State> states;
-  if (finite_claim(request)) {
-    states = finite_states(kind, declared(request));
+  if (const auto claim = finite_claim(request)) {
+    states = is_table(kind)
+                 ? finite_table_states(*claim, kind, declared(request), shear, lubjoint::reports::available_cores())
+                 : finite_states(kind, declared(request));
   } else {
     if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
     if (request->law != nullptr) require_law(kind, request->law);
     states = states_to_verify(kind, request->golden, request->random, request->seed, declared(request));
-    const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
     for (State& state : states) {
       state.shear = shear;
       if (shear != lubjoint::ShearExtent::film) state.golden.reset();  // certified are the films' own losses
@@ -163,13 +166,14 @@ int lubjoint_verify_judge(const lubjoint_verify_request* request, const double* 
     Answers given = answers_from_numbers(kind, std::move(values));
     scale(given, unit);
     const std::string domain = words(declared(request));
-    if (const auto claim = finite_claim(request)) {
+    const auto claim = finite_claim(request);
+    if (claim && !is_table(kind)) {
       report(verify_finite_film(*claim, kind, std::move(states), std::move(given), tolerance,
                                 lubjoint::reports::available_cores(), domain),
              verdict, text, json);
     } else {
       report(verify_answers(kind, request->law != nullptr ? request->law : "auto", std::move(states), std::move(given),
-                            {tolerance, domain}),
+                            {claim && tolerance == 0 ? finite_tolerance : tolerance, domain}),
              verdict, text, json);
     }
   });

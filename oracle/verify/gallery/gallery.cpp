@@ -18,7 +18,7 @@ const std::vector<Mistake>& gallery() {
   static const std::vector<Mistake> all = [] {
     std::vector<Mistake> list;
     for (auto* topic : {motion_mistakes, unit_and_geometry_mistakes, film_mistakes, assembly_mistakes, contact_mistakes,
-                        rest_mistakes, loss_mistakes}) {
+                        rest_mistakes, loss_mistakes, length_mistakes}) {
       for (Mistake& mistake : topic()) list.push_back(std::move(mistake));
     }
     return list;
@@ -43,8 +43,9 @@ bool shows(Quantities quantities, Law law, const std::vector<State>& states, con
 }
 
 bool is_about_inputs(const Mistake& mistake) {
-  return std::ranges::all_of(
-      mistake.changes, [](const Change& change) { return change.step == Step::inputs || change.step == Step::scale; });
+  return std::ranges::all_of(mistake.changes, [](const Change& change) {
+    return change.step == Step::inputs || change.step == Step::shape || change.step == Step::scale;
+  });
 }
 
 /// A table has mistakes of its own, and units and lengths are mistaken in it, too; what goes wrong inside a force is
@@ -93,16 +94,17 @@ bool differs(Quantities quantities, Law law, const std::vector<State>& states, c
   });
 }
 
-/// Those of mistakes_for, worked out.
+/// Those of mistakes_for, worked out. Of films that a solver knows no state is solved: what has no effect is passed
+/// over where mistakes are looked for.
 std::vector<const Mistake*> find_mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
   const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
-  const bool of_few_numbers =
-      quantities == Quantities::dimensionless || is_table(quantities) || quantities == Quantities::contact;
+  const bool of_few_numbers = quantities == Quantities::dimensionless ||
+                              (is_table(quantities) && !is_solved_film(law)) || quantities == Quantities::contact;
   const bool may_be_blind = of_film_only || (facts_of(law).squeeze_only &&
                                              !is_table(quantities));  // a law without a wedge hides mistakes in it
   std::vector<State> states = may_be_blind || of_few_numbers ? designed_states(quantities) : std::vector<State>();
-  if (quantities == Quantities::losses) {  // some show only where more than the film is asked for
+  if (quantities == Quantities::losses && of_few_numbers) {  // some show only where more than the film is asked for
     const std::size_t asked_of_film = states.size();
     for (std::size_t i = 0; i < asked_of_film; ++i) {
       states.push_back(states[i]);

@@ -50,5 +50,6 @@ std::vector<Mistake> assembly_mistakes();
 std::vector<Mistake> contact_mistakes();
 std::vector<Mistake> rest_mistakes();
 std::vector<Mistake> loss_mistakes();
+std::vector<Mistake> length_mistakes();
 
 }  // namespace lubjoint::verify

@@ -1,6 +1,8 @@
 // Mistakes in the film laws themselves: cavitation, brackets, exponents, the wrong law.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "oracle/verify/gallery/gallery.hpp"
 #include "oracle/verify/states/film_terms.hpp"
@@ -33,9 +35,10 @@ template <Law other>
 void use_law(Solution& s) {
   s.law = other;
 }
+/// A film that a solver knows is taken for another one where one of them is asked about.
 template <Law other>
 bool is_not(Quantities, Law law) {
-  return law != other;
+  return law != other && (is_solved_film(law) || !is_solved_film(other));
 }
 
 /// "law_NAME" and its description: kept for as long as the gallery is.
@@ -44,22 +47,19 @@ struct OtherLawWords {
   std::string description;
 };
 
-std::vector<Mistake> other_laws() {
-  static const std::vector<OtherLawWords> words = [] {
-    std::vector<OtherLawWords> all;
-    for (const std::string_view law : law_names) {
-      all.push_back({"law_" + std::string(law), "The law is " + std::string(law)});
-    }
-    return all;
-  }();
-  return []<std::size_t... place>(std::index_sequence<place...>) {
-    return std::vector<Mistake>{Mistake{words[place].name,
-                                        words[place].description,
-                                        "Another law: see its formula",
-                                        is_not<Law{place}>,
-                                        {{Step::rates, use_law<Law{place}>}}}...};
-  }
-  (std::make_index_sequence<law_count>());
+OtherLawWords words_of(Law law) {
+  return {"law_" + std::string(name_of(law)), "The law is " + std::string(name_of(law))};
+}
+
+/// Laws from one place on.
+template <std::size_t first, std::size_t... place>
+std::vector<Mistake> other_laws(std::index_sequence<place...>) {
+  static const std::array words = {words_of(Law{first + place})...};
+  return {Mistake{words[place].name,
+                  words[place].description,
+                  "Another law: see its formula",
+                  is_not<Law{first + place}>,
+                  {{Step::shape, use_law<Law{first + place}>}}}...};
 }
 
 /// Squeeze films that carry pressure on one side alone.
@@ -279,7 +279,11 @@ std::vector<Mistake> film_mistakes() {
            s.radial_wedge = -closing.radial_wedge;
          }}}},
   };
-  for (Mistake& each : other_laws()) mistakes.push_back(std::move(each));
+  for (auto* laws :
+       {+[] { return other_laws<0>(std::make_index_sequence<law_count>()); },
+        +[] { return other_laws<every_law_count>(std::make_index_sequence<solved_film_facts.size()>()); }}) {
+    for (Mistake& each : laws()) mistakes.push_back(std::move(each));
+  }
   return mistakes;
 }
 

@@ -120,10 +120,29 @@ Answer by_differences(const State& state, const Solution& s) {
   return sum;
 }
 
+/// The formula whose losses move with their inputs about as those of a film that a solver knows.
+Law formula_like(Law film) {
+  if (is_full(film)) return "long_full"_law;
+  return is_half(film) ? "long_half"_law : "long_dynamic"_law;
+}
+
+/// Of the losses of a film that a solver knows: a difference of solutions would be their noise. The formula's, as many
+/// times as its costs are larger.
+Answer like_a_formula(const State& state, const Solution& s) {
+  const Solution formula = solve(s.quantities, formula_like(s.law), state);
+  Answer sum = of_table(state, formula);
+  const std::array<Real, 4> sizes = size_of_costs(s), formula_sizes = size_of_costs(formula);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (formula_sizes[k] > 0) sum[k] *= static_cast<double>(sizes[k] / formula_sizes[k]);
+  }
+  return sum;
+}
+
 }  // namespace
 
 Answer input_conditioning(const State& state, const Solution& s) {
   if (std::isnan(s.answer[0])) return {};
+  if (is_solved_film(s.law) && s.quantities == Quantities::losses) return like_a_formula(state, s);
   if (is_table(s.quantities)) return of_table(state, s);
   if (!is_film_force(s.quantities)) return by_differences(state, s);
   const double force = with_film_law<StateFilmLaws>(name_of(s.law), [&]<class FilmLaw>() {

@@ -13,12 +13,6 @@ using Real = long double;
 using Rule = boost::math::quadrature::gauss<Real, 20>;
 constexpr Real pi = boost::math::constants::pi<Real>();
 
-/// H at an angle from the minimum film.
-Real thickness_at(Real ratio, Real gap, Real phi) {
-  const Real half = std::sin(phi / 2);
-  return gap + 2 * ratio * half * half;
-}
-
 class Panels {
  public:
   Panels(Real ratio, Real gap) : ratio_(ratio), gap_(gap) {}
@@ -26,13 +20,14 @@ class Panels {
   /// Angles from the minimum film.
   void add(Real from, Real to) {
     if (!(to > from)) return;
-    const Real middle = (from + to) / 2, half = (to - from) / 2;
+    const Real middle = (from + to) / 4, half = (to - from) / 4;  // of φ/2
+    const Real sine_m = std::sin(middle), cosine_m = std::cos(middle);
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      for (const Real side : {-1.0L, 1.0L}) {
-        const Real phi = middle + side * half * Rule::abscissa()[i];
-        const Real sine_half = std::sin(phi / 2);
-        places_.push_back({half * Rule::weights()[i], -std::sin(phi), -std::cos(phi), 2 * sine_half * sine_half,
-                           thickness_at(ratio_, gap_, phi)});
+      const Real x = half * Rule::abscissa()[i], sine_x = std::sin(x), cosine_x = std::cos(x);
+      for (const Real side : {-sine_x, sine_x}) {
+        const Real sine = sine_m * cosine_x + cosine_m * side, cosine = cosine_m * cosine_x - sine_m * side;
+        const Real wall = 2 * sine * sine;  // 1 − cosφ
+        places_.push_back({2 * half * Rule::weights()[i], -2 * sine * cosine, wall - 1, wall, gap_ + ratio_ * wall});
       }
     }
   }
@@ -57,7 +52,10 @@ class Panels {
 
 }  // namespace
 
-Real film_thickness(Real ratio, Real gap, Real theta) { return thickness_at(ratio, gap, theta - pi); }
+Real film_thickness(Real ratio, Real gap, Real theta) {
+  const Real sine = std::sin((theta - pi) / 2);
+  return gap + 2 * ratio * sine * sine;
+}
 
 std::vector<FilmPlace> film_places(Real ratio, Real gap, Real begin, Real end) {
   Panels panels(ratio, gap);

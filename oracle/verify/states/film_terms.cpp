@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oracle/verify/states/dynamic_film.hpp"
+#include "oracle/verify/states/solved_films.hpp"
 
 namespace lubjoint::verify {
 
@@ -124,12 +125,18 @@ void find_terms(Solution& s) {
     s.radial_wedge = s.tangential_wedge = std::numeric_limits<Real>::quiet_NaN();
     return;
   }
+  if (is_solved_film(s.law)) {
+    s.moving = s.films->moving(s.law, s.shape, s.ratio, s.a, s.b);
+    s.radial_wedge = s.moving.radial;
+    s.tangential_wedge = s.moving.tangential;
+    return;
+  }
   formula_of_law[s.law.place].find(s);
 }
 
 Real size_of_film_terms(const Solution& s) {
   return std::abs(s.radial_wedge) + std::abs(s.radial_squeeze) + std::abs(s.tangential_wedge) +
-         std::abs(s.tangential_squeeze) + formula_of_law[s.law.place].hidden(s);
+         std::abs(s.tangential_squeeze) + (is_solved_film(s.law) ? 0 : formula_of_law[s.law.place].hidden(s));
 }
 
 }  // namespace lubjoint::verify

@@ -171,7 +171,8 @@ std::vector<State> finite_states(Quantities quantities, const Conjunction& domai
   const bool polar = quantities == Quantities::polar;
   if (!polar && quantities != Quantities::cartesian) {
     throw std::invalid_argument("--quantities " + std::string(name_of(quantities)) +
-                                " is not judged for films of finite length; allowed are cartesian and polar");
+                                " is not judged for films of finite length; allowed are " +
+                                std::string(quantities_of_solved_films));
   }
   std::vector<State> states;
   for (std::size_t i = 0; i < finite_shapes.size(); ++i) {

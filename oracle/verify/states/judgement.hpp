@@ -138,6 +138,9 @@ Judgement judge(Quantities quantities, Law law, const std::vector<State>& states
 /// The same answers at another precision.
 void judge_at(Judgement& judgement, const Answers& answers, const Precision& precision);
 
+/// The largest error of number k of state i that is right: what rounding explains, or what the user accepts.
+double tolerance_of(const Judgement& judgement, std::size_t i, std::size_t k);
+
 /// Counts, regimes and the worst state anew after a change of outcomes.
 void summarise(Judgement& judgement);
 

@@ -14,11 +14,13 @@ Real couette_integral(const Solution& s) {
   if (s.costs.shear == ShearExtent::flooded || is_full(s.law)) return 2 * half_turn / root;
   if (s.costs.shear == ShearExtent::striated) return half_turn / root * (1 + 1 / (1 + s.ratio));
   if (is_half(s.law) || (s.a == 0 && s.b == 0)) return half_turn / root;
+  if (s.law == "finite_reynolds"_law) return s.moving.couette_integral;
   return 2 / root * std::atan2(root, -s.ratio * 2 * s.b / std::hypot(s.a, 2 * s.b));
 }
 
-/// ∫(a sinθ − 2b cosθ)dθ/2 over the film.
+/// ∫(a sinθ − 2b cosθ)dθ/2 over the film, which a short bearing loses; of a real length what leaves by its ends.
 Real flow_ratio(const Solution& s) {
+  if (is_solved_film(s.law)) return s.moving.side_flow;
   if (is_full(s.law)) return 0;
   return is_half(s.law) ? std::abs(s.a) : std::hypot(s.a, 2 * s.b);
 }
@@ -36,8 +38,8 @@ void find_costs(Solution& s) {
   c.torque_bearing = c.couette - c.moment / 2;
   c.squeeze_power = -s.film_clearance * (s.radial * s.b - s.tangential * s.a / 2);
   c.power = c.relative_spin * c.couette + c.squeeze_power;
-  c.side_flow =
-      is_short(s.law) ? s.film_clearance * s.radius * s.length * flow_ratio(s) : std::numeric_limits<Real>::quiet_NaN();
+  c.side_flow = loses_oil_by_its_sides(s.law) ? s.film_clearance * s.radius * s.length * flow_ratio(s)
+                                              : std::numeric_limits<Real>::quiet_NaN();
 }
 
 std::array<Real, 4> size_of_costs(const Solution& s) {

@@ -105,8 +105,17 @@ std::array<double, most_answers> losses_quadrature_error(const Solution& s) {
              torque = std::abs(s.costs.couette) + moment;
   const Real power = std::abs(s.costs.relative_spin * s.costs.couette) + moment * rate;
   const Real share = 1e-17L / std::sqrt(s.ratio_gap);
+  const Real flow = s.film_clearance * s.radius * s.length * rate;
   const auto error = [&](Real size) { return static_cast<double>(share * size); };
-  return {error(torque), error(torque), error(power), error(s.film_clearance * s.radius * s.length * rate)};
+  std::array<double, most_answers> all = {error(torque), error(torque), error(power), error(flow)};
+  if (!is_solved_film(s.law)) return all;
+  const double of_couette = s.moving.couette_error * static_cast<double>(std::abs(s.costs.couette));
+  const double of_force = s.moving.force_error * static_cast<double>(moment);
+  for (const std::size_t torque_column : {0, 1}) all[torque_column] += of_couette + of_force / 2;
+  all[2] +=
+      of_couette * static_cast<double>(std::abs(s.costs.relative_spin)) + of_force * static_cast<double>(rate) / 2;
+  all[3] += s.moving.flow_error * static_cast<double>(flow);
+  return all;
 }
 
 std::array<Real, 4> losses_by_quadrature(const Solution& s) {
@@ -116,9 +125,12 @@ std::array<Real, 4> losses_by_quadrature(const Solution& s) {
   const Places film = film_places(s.ratio, s.ratio_gap, ends.begin, ends.end);
   const Real c = s.clearance, mu = s.viscosity, l = s.length, r = s.radius;
   const Real spin = s.omega_journal - s.omega_bearing;
-  const Real couette = mu * spin * r * r * r * l / c * sheared(s, film, ends);
+  const bool bounds_are_free = s.law == "finite_reynolds"_law && s.costs.shear == ShearExtent::film;
+  const bool at_rest = s.a == 0 && s.b == 0;
+  const Real over_thickness = bounds_are_free && !at_rest ? s.moving.couette_integral : sheared(s, film, ends);
+  const Real couette = mu * spin * r * r * r * l / c * over_thickness;
   Real wall = 0, dissipated = 0;
-  if (s.law == "pinkus_sternlicht"_law) {
+  if (s.law == "pinkus_sternlicht"_law || is_solved_film(s.law)) {  // e × F and F·u of the force as it is
     wall = -s.ratio * c * s.tangential / 2;
     dissipated = -c * (s.radial * s.b - s.tangential * s.a / 2);
   } else if (is_short(s.law)) {
@@ -132,10 +144,14 @@ std::array<Real, 4> losses_by_quadrature(const Solution& s) {
     wall = -scale * sums.shear;
     dissipated = s.law == "long_half_eq5"_law ? -scale / 3 * cut_film_power(s, film, flow) : scale * sums.dissipation;
   }
-  const Real flow = sum(film, [&](const FilmPlace& at) { return s.a * at.sine - 2 * s.b * at.cosine; });
-  const bool at_rest = s.a == 0 && s.b == 0;
-  return {wall - couette, wall + couette, spin * couette + dissipated,
-          is_short(s.law) ? c * r * l / 2 * (at_rest ? 0 : flow) : nan};
+  Real flow = nan;
+  if (is_solved_film(s.law)) {
+    flow = c * r * l * s.moving.side_flow;
+  } else if (is_short(s.law)) {
+    const Real source = sum(film, [&](const FilmPlace& at) { return s.a * at.sine - 2 * s.b * at.cosine; });
+    flow = c * r * l / 2 * (at_rest ? 0 : source);
+  }
+  return {wall - couette, wall + couette, spin * couette + dissipated, flow};
 }
 
 }  // namespace lubjoint::verify

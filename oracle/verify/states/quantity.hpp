@@ -64,6 +64,7 @@ Quantities quantities_of(std::string_view name);
 std::string_view name_of(Quantities quantities);
 
 struct GoldenAnswers;
+class SolvedFilms;
 
 /// Everything that a state may say; a kind of quantities uses some of it. SI units, angles in radians.
 struct State {
@@ -95,6 +96,7 @@ struct State {
   double load = 0;                              ///< along −y [N]
   ShearExtent shear = ShearExtent::film;        ///< of losses: what is asked for, no column
   std::shared_ptr<const GoldenAnswers> golden;  ///< certified answers, where there are some
+  std::shared_ptr<const SolvedFilms> films;     ///< what knows the films of the bearing's real length, where asked for
 };
 
 /// One column of the states.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oracle/verify/states/film_terms.hpp"
+#include "oracle/verify/states/solved_films.hpp"
 #include "oracle/verify/states/steady_slopes.hpp"
 
 namespace lubjoint::verify {
@@ -33,6 +34,7 @@ void read(Solution& s, const State& state) {
   s.rest.load = state.load;
   if (is_of_load(s.quantities)) s.omega_journal = state.omega;
   s.costs.shear = state.shear;
+  s.films = state.films.get();
   if (s.quantities != Quantities::transition && s.quantities != Quantities::contact) return;
   if (s.quantities == Quantities::transition) {
     s.e0 = state.e0;
@@ -114,19 +116,28 @@ Real contact_loss(Law law, Real c) {
   }
 }
 
+SteadySlopes slopes_at(const Solution& s, Real ratio, Real gap) {
+  return is_solved_film(s.law) ? s.films->slopes(s.law, s.shape, ratio) : published_slopes(s.law, ratio, gap);
+}
+
 void find_rest(Solution& s) {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Real wanted = s.rest.load / (s.scale * std::abs(s.rest.spin));
-  const RestPlace place = has_rest(s.law) ? place_under_load(
-                                                [&](Real ratio, Real gap) {
-                                                  SteadySlopes f = published_slopes(s.law, ratio, gap);
-                                                  if (s.rest.radial_alone) f.tangential = 0;
-                                                  return f;
-                                                },
-                                                wanted)
-                                          : RestPlace{nan, nan};
-  s.ratio = place.ratio;
-  s.ratio_gap = place.gap;
+  RestPlace place{nan, nan};
+  // A full film has no radial force there to carry a load with.
+  if (has_rest(s.law) && !(s.rest.radial_alone && is_full(s.law))) {
+    place = place_under_load(
+        [&](Real ratio, Real gap) {
+          SteadySlopes f = slopes_at(s, ratio, gap);
+          if (s.rest.radial_alone) f.tangential = f.tangential_by_ratio = f.tangential_by_slip = 0;
+          return f;
+        },
+        wanted);
+  }
+  const bool is_known =
+      !is_solved_film(s.law) || (place.ratio >= SolvedFilms::least_ratio && place.ratio <= SolvedFilms::largest_ratio);
+  s.ratio = is_known ? place.ratio : nan;
+  s.ratio_gap = is_known ? place.gap : nan;
 }
 
 void find_polar_coefficients(Solution& s) {
@@ -157,6 +168,8 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
   read(s, state);
   after(Step::inputs);
   s.film_clearance = s.clearance + s.film_widening;
+  s.shape = s.length / (2 * s.radius);
+  after(Step::shape);
   const auto find_scale = [&] {
     const Real size = is_short(s.law) ? s.length : s.radius;
     s.scale = s.viscosity * s.length * s.radius * (size / s.film_clearance) * (size / s.film_clearance);
@@ -167,7 +180,7 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
     s.rest.spin = s.omega_journal - s.omega_bearing;
     find_rest(s);
     after(Step::kinematics);
-    s.rest.slopes = published_slopes(s.law, s.ratio, s.ratio_gap);
+    s.rest.slopes = slopes_at(s, s.ratio, s.ratio_gap);
     after(Step::terms);
     find_polar_coefficients(s);
     after(Step::film);

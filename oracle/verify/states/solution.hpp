@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "lubjoint/film/every_law.hpp"
+#include "lubjoint/film/compiled_laws.hpp"
 #include "lubjoint/number/vector.hpp"
 #include "oracle/verify/states/quantity.hpp"
 #include "oracle/verify/states/steady_film.hpp"
@@ -42,24 +42,35 @@ inline constexpr std::array<LawFacts, 4> contact_law_facts = [] {
   }
   return all;
 }();
+/// Laws that are formulas, and how many.
 inline constexpr std::size_t every_law_count = law_count + contact_law_facts.size();
+
+/// After them, the films of the bearing's real length, which a solver knows (SolvedFilms): of their tables alone.
+inline constexpr auto& solved_film_facts = facts_of_laws<CompiledLaws>;
 
 /// @throws std::invalid_argument that lists the laws of films there are
 constexpr Law law_of(std::string_view name) {
   for (std::size_t i = 0; i < contact_law_facts.size(); ++i) {
     if (contact_law_facts[i].name == name) return {law_count + i};
   }
+  for (std::size_t i = 0; i < solved_film_facts.size(); ++i) {
+    if (solved_film_facts[i].name == name) return {every_law_count + i};
+  }
   return {film_law_index<StateFilmLaws>(name)};
 }
 /// The same, of a name that is checked when it is compiled.
 consteval Law operator""_law(const char* name, std::size_t size) { return law_of({name, size}); }
 
-constexpr bool is_contact_law(Law law) { return law.place >= law_count; }
+constexpr bool is_contact_law(Law law) { return law.place >= law_count && law.place < every_law_count; }
+constexpr bool is_solved_film(Law law) { return law.place >= every_law_count; }
 constexpr const LawFacts& facts_of(Law law) {
+  if (is_solved_film(law)) return solved_film_facts[law.place - every_law_count];
   return is_contact_law(law) ? contact_law_facts[law.place - law_count] : facts_of_laws<StateFilmLaws>[law.place];
 }
 constexpr std::string_view name_of(Law law) { return facts_of(law).name; }
 constexpr bool is_short(Law law) { return facts_of(law).is_short(); }
+/// No oil leaves a long bearing there.
+constexpr bool loses_oil_by_its_sides(Law law) { return is_short(law) || is_solved_film(law); }
 constexpr bool is_full(Law law) { return facts_of(law).extent == FilmExtent::full; }
 constexpr bool is_half(Law law) { return facts_of(law).extent == FilmExtent::half; }
 /// Between θs and θe, its pressure integrated: not Pinkus and Sternlicht's, whose force is no integral.
@@ -68,6 +79,7 @@ constexpr bool is_dynamic(Law law) { return facts_of(law).extent == FilmExtent::
 /// Steps of the work, in their order; under a load, the scale comes before ε, which kinematics then means.
 enum class Step {
   inputs,      ///< what the state says, as read
+  shape,       ///< which law it is, and the L/D of a film of the bearing's real length
   kinematics,  ///< r, t, ε, b and the two parts of a
   rates,       ///< a and b
   terms,       ///< F_r/S and F_t/S, each as a wedge term (of a) and a squeeze term (of b); at rest, their slopes
@@ -106,6 +118,16 @@ struct Costs {
   Real side_flow = 0;         ///< out of both sides, net; NaN for a long bearing, which has none [m³/s]
 };
 
+/// What a solver says of a moving film of the bearing's real length, over S = μLR³/c² and cRL.
+struct MovingFilm {
+  Real radial = 0, tangential = 0;  ///< F/S [1/s]
+  Real side_flow = 0;               ///< Q/(cRL) [1/s]
+  Real couette_integral = 0;        ///< I₁ of finite_reynolds; the other films' is a closed form [-]
+  double force_error = 0;           ///< bound of the force's error over |F|
+  double flow_error = 0;            ///< bound of the flow's over 2|u|
+  double couette_error = 0;         ///< bound of I₁'s over itself
+};
+
 /// Numbers on the way from a state to its answer.
 struct Solution {
   Quantities quantities = Quantities::cartesian;
@@ -121,6 +143,11 @@ struct Solution {
   Real film_clearance = 0;   ///< c, or c + e₁ in a transition
   bool mirrors_half = true;  ///< half film: on π…2π for a < 0
   bool pulls = false;        ///< the film force acts the other way
+
+  // Of a film that a solver knows.
+  const SolvedFilms* films = nullptr;
+  Real shape = 0;  ///< L/D
+  MovingFilm moving;
 
   Plane r{1, 0}, t{0, 1};
   Real ratio = 0;          ///< ε
