@@ -6,6 +6,7 @@ import importlib.metadata
 import inspect
 import io
 import json
+import math
 import os
 import pathlib
 import re
@@ -281,6 +282,24 @@ try:
     raise AssertionError("states of a law that is not there")
 except ValueError as error:
     assert "foo" in str(error), error
+
+
+# A film of the bearing's real length: where a load comes to rest by the solver's own force; and with half of the load.
+def place_of_rest(viscosity, length, radius, clearance, omega, load):
+    oil = lubjoint.Bearing(viscosity, length, radius, clearance)
+    low, high = 0.0, 0.99
+    while high - low > 1e-6:
+        ratio = (low + high) / 2
+        force = lubjoint.oracle_force("finite_full", oil, ratio, ratio * abs(omega), 0.0)
+        low, high = (low, ratio) if math.hypot(force.radial, force.tangential) > load else (ratio, high)
+    return {"eccentricity_ratio": low, "attitude": math.pi / 2}
+
+
+of_length = {"law": "finite_full", "quantities": "equilibrium", "vectorized": False}
+assert lubjoint.verify(place_of_rest, **of_length)
+report = lubjoint.verify(lambda load, **s: place_of_rest(load=load / 2, **s), **of_length)
+assert not report and "load_halved" in report.suspects[0]["mistakes"], report
+assert list(lubjoint.states("losses", law="finite_half"))[:4] == ["viscosity", "length", "radius", "clearance"]
 
 # Without dimensions, in the program's own unit, S omega/4; and a mistake in it.
 own_unit = {"law": "short_dynamic", "quantities": "dimensionless", "unit": 0.25, "vectorized": False, "random": 100}
