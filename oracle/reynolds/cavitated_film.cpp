@@ -14,7 +14,8 @@ namespace lubjoint::oracle {
 namespace {
 
 /// Steps from the middle to the edge of successive grids, about a fifth more each time.
-constexpr std::array<int, 19> steps_along{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96};
+constexpr std::array<int, 21> steps_along{4,  5,  6,  7,  8,  10, 12, 14, 16,  20, 24,
+                                          28, 32, 40, 48, 56, 64, 80, 96, 112, 128};
 /// The grids after these take a second each. They are for those who ask for least_tolerance or less, and no finer than
 /// to reach it.
 constexpr std::size_t usual_grids = 17;

@@ -15,9 +15,9 @@ namespace lubjoint::oracle {
 /// least squares to the grids within a factor of two or so of the finest, each weighted by the inverse variance of its
 /// r. The error estimate is the fit's standard error times Student's t for 99.9 %, plus the change from an earlier fit,
 /// which sees what is systematic; it is not let fall faster than h² from the grid before; where the observed order is
-/// far from 2, at least what the extrapolation changed. The two finest grids, of a second each, are for tolerances of
-/// 1e-5 and below, where the estimate is still above 1e-5. Of 36 states of L/D ¼ to 4 and ε 0.1 to 0.9 that are four;
-/// then 35 reach 1e-5, and the last, an opening film near the wall, 1.2e-5.
+/// far from 2, at least what the extrapolation changed. The four finest grids, of up to a second each, are for
+/// tolerances of 1e-5 and below, where the estimate is still above 1e-5. Of 36 states of L/D ¼ to 4 and ε 0.1 to 0.9
+/// that are four; then all reach 1e-5, in a second and a half at most.
 /// @param pinned  P = 0 along the maximum film
 ScaledForce cavitated_film_force(const ScaledFilm& film, bool pinned, double relative_tolerance);
 

@@ -61,8 +61,8 @@ struct FiniteLengthResult {
 /// Validity: any L/D and ε for full, half and dynamic. finite_reynolds is meant for L/D 0.05…10 and ε ≤ 0.99; beyond,
 /// its grids resolve less, and the error estimate grows.
 /// Accuracy: full, half and dynamic reach 1e-10 of |F|. finite_reynolds reaches 1e-3 in a few milliseconds and about
-/// 1e-5 in a second, or three where it has to take its finest grids; a force that nearly vanishes, as that of a
-/// separating film (b < 0) at ε > 0.9, less.
+/// 1e-5 in a tenth of a second, or two seconds where it has to take its finest grids; a force that nearly vanishes, as
+/// that of a separating film (b < 0) at ε > 0.9, less.
 /// @throws std::invalid_argument if the tolerance is outside of its range
 FiniteLengthResult finite_length_force(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
                                        const PolarFilmState<double>& state, const FiniteLengthOptions& options = {});
