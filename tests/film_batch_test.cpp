@@ -87,7 +87,7 @@ Rows random_rows(std::size_t count) {
 
 std::vector<InstructionSet> available_sets() {
   std::vector<InstructionSet> sets;
-  for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2}) {
+  for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
     if (is_available(set)) sets.push_back(set);
   }
   return sets;
@@ -138,7 +138,7 @@ TEST_CASE("batch: every law gives random states the bits of one state, with ever
 
 TEST_CASE("batch: any number of rows at any place in memory gives the same bits, and nothing beside them is written") {
   const Rows rows = random_rows(800);
-  std::vector<std::size_t> sizes{255, 256, 257, 511, 513};
+  std::vector<std::size_t> sizes{31, 32, 33, 63, 64, 65, 255, 257};
   for (std::size_t n = 0; n <= 17; ++n) sizes.push_back(n);
   for_each_film_law([&]<class Law>() {
     Forces all(rows.size());
@@ -216,7 +216,7 @@ TEST_CASE("batch: a row without a film is named, those before it are answered, t
     film_force_ratios(Law::name, rows.states(0, rows.size()), good);
     for (const InstructionSet set : available_sets()) {
       for (const auto& state : bad) {
-        for (const std::size_t place : {0UL, 3UL, 4UL, 255UL, 256UL, 598UL, 599UL}) {
+        for (const std::size_t place : {0UL, 3UL, 4UL, 31UL, 32UL, 33UL, 575UL, 576UL, 598UL, 599UL}) {
           Rows spoilt = rows;
           spoilt.ex[place] = state[0];
           spoilt.ey[place] = state[1];
@@ -340,10 +340,10 @@ TEST_CASE("batch: laws, lengths and instruction sets that are none are refused b
   CHECK_THROWS_WITH(film_forces("short_half", bearing, oil, motions, forces), Contains("journal_spin has 0 rows"));
   CHECK(is_available(InstructionSet::scalar));
   CHECK(is_available(fastest_instruction_set()));
-  if (is_available(InstructionSet::avx2)) {
-    CHECK(name_of(fastest_instruction_set()) == "avx2");
-  } else {
-    CHECK_THROWS_WITH(film_force_ratios("short_half", rows.states(0, 10), forces, InstructionSet::avx2),
-                      Contains("avx2"));
+  if (is_available(InstructionSet::avx2)) CHECK(fastest_instruction_set() != InstructionSet::scalar);
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (is_available(set)) continue;
+    CHECK_THROWS_WITH(film_force_ratios("short_half", rows.states(0, 10), forces, set),
+                      Contains(std::string(name_of(set))));
   }
 }

@@ -1,19 +1,27 @@
 /// Rows of states in arrays, and the loop over them that a compiler turns into vector instructions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/law.hpp"
 
 namespace lubjoint::detail {
 
-/// Rows are evaluated in blocks into these arrays, not where they belong: so outputs may be inputs, and rows after one
-/// without a film stay as they are.
-struct ForceBlock {
-  static constexpr std::size_t capacity = 256;
-  alignas(64) double first[capacity];
-  alignas(64) double second[capacity];
+/// Rows are evaluated in blocks of so many, and written after all of a block are known: so outputs may be inputs, and
+/// rows after one without a film stay as they are. Long enough that the loop over blocks costs nothing.
+inline constexpr std::size_t block_rows = 32;
+
+/// Numbers of one block's rows.
+struct BlockColumn {
+  alignas(64) double values[block_rows];
+
+  /// Some of a column's numbers, the last of them again for the rows after them.
+  void fill(const double* column, std::size_t count) {
+    for (std::size_t i = 0; i < block_rows; ++i) values[i] = column[i < count ? i : count - 1];
+  }
 };
 
 /// Rates whose squares and their products are far from the ends of the range; inside of in_range_of_rates.
@@ -40,7 +48,8 @@ inline FilmState<double> quick_film_state(double ex, double ey, double ux, doubl
 }
 
 /// Each kind of rows makes two states of row i: quickly, whatever the numbers are; and checked, with its error.
-/// is_ordinary tells of the first whether force() answers it, in the bits of the functions for one state.
+/// is_ordinary tells of the first whether force() answers it, in the bits of the functions for one state. A padded part
+/// is a block that begins with some of the rows.
 struct PlaneRows {
   const double* ex;
   const double* ey;
@@ -51,6 +60,11 @@ struct PlaneRows {
 
   State quick(std::size_t i) const { return quick_film_state(ex[i], ey[i], ux[i], uy[i]); }
   State checked(std::size_t i) const { return State(Vector2<double>(ex[i], ey[i]), Vector2<double>(ux[i], uy[i])); }
+  PlaneRows padded(std::size_t first, std::size_t count, BlockColumn* room) const {
+    const double* const columns[] = {ex, ey, ux, uy};
+    for (std::size_t k = 0; k < std::size(columns); ++k) room[k].fill(columns[k] + first, count);
+    return {room[0].values, room[1].values, room[2].values, room[3].values};
+  }
 };
 
 struct MotionRows {
@@ -74,6 +88,11 @@ struct MotionRows {
     return quick_film_state(e_hat.x(), e_hat.y(), u.x(), u.y());
   }
   State checked(std::size_t i) const { return film_state(motion(i), clearance); }
+  MotionRows padded(std::size_t first, std::size_t count, BlockColumn* room) const {
+    const double* const columns[] = {ex, ey, vx, vy, bearing_spin, journal_spin};
+    for (std::size_t k = 0; k < std::size(columns); ++k) room[k].fill(columns[k] + first, count);
+    return {room[0].values, room[1].values, room[2].values, room[3].values, room[4].values, room[5].values, clearance};
+  }
 };
 
 struct PolarRows {
@@ -88,7 +107,13 @@ struct PolarRows {
     return State(epsilon, slip_rate[i], squeeze_rate[i], one_minus_square(epsilon), Unchecked());
   }
   State checked(std::size_t i) const { return State(eccentricity_ratio[i], slip_rate[i], squeeze_rate[i]); }
+  PolarRows padded(std::size_t first, std::size_t count, BlockColumn* room) const {
+    const double* const columns[] = {eccentricity_ratio, slip_rate, squeeze_rate};
+    for (std::size_t k = 0; k < std::size(columns); ++k) room[k].fill(columns[k] + first, count);
+    return {room[0].values, room[1].values, room[2].values};
+  }
 };
+inline constexpr std::size_t most_columns = 6;
 
 template <FilmLaw Law>
 bool is_ordinary(const FilmState<double>& film) {
@@ -131,20 +156,26 @@ Vector2<double> quick_ratio(const PolarFilmState<double>& state) {
   }
 }
 
-/// Forces of rows first ... first + count − 1.
-/// @returns false if a row is not ordinary; what stands in its place is then no answer
+/// Forces of whole blocks of rows, until one has a row that is not ordinary; that one is not written.
+/// @returns the row at which it ended, end − begin being a multiple of block_rows
 template <FilmLaw Law, class Rows>
-[[gnu::always_inline]] inline bool evaluate_rows(const Rows& rows, std::size_t first, std::size_t count, double scale,
-                                                 ForceBlock& block) {
-  std::int64_t odd = 0;  // as wide as a double, so that its lanes are the rows'
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto state = rows.quick(first + i);
-    odd |= is_ordinary<Law>(state) ? 0 : 1;
-    const Vector2<double> ratio = quick_ratio<Law>(state);
-    block.first[i] = scale * ratio.x();
-    block.second[i] = scale * ratio.y();
+[[gnu::always_inline]] inline std::size_t evaluate_blocks(const Rows& rows, std::size_t begin, std::size_t end,
+                                                          double scale, double* first, double* second) {
+  for (; begin < end; begin += block_rows) {
+    BlockColumn one, two;
+    std::int64_t odd = 0;  // as wide as a double, so that its lanes are the rows'
+    for (std::size_t i = 0; i < block_rows; ++i) {
+      const auto state = rows.quick(begin + i);
+      odd |= is_ordinary<Law>(state) ? 0 : 1;
+      const Vector2<double> ratio = quick_ratio<Law>(state);
+      one.values[i] = scale * ratio.x();
+      two.values[i] = scale * ratio.y();
+    }
+    if (odd != 0) break;
+    for (std::size_t i = 0; i < block_rows; ++i) first[begin + i] = one.values[i];
+    for (std::size_t i = 0; i < block_rows; ++i) second[begin + i] = two.values[i];
   }
-  return odd == 0;
+  return begin;
 }
 
 }  // namespace lubjoint::detail

@@ -85,14 +85,15 @@ class ForceRowError : public std::range_error {
 /// How rows are evaluated; the bits are the same.
 enum class InstructionSet {
   scalar,  ///< one row after the other, with what the build was compiled for
-  avx2     ///< AVX2 and FMA, x86-64
+  avx2,    ///< AVX2 and FMA, x86-64
+  avx512   ///< AVX-512 F, DQ and VL, x86-64, where GCC compiled the library
 };
 
-/// "scalar" or "avx2".
+/// "scalar", "avx2" or "avx512".
 std::string_view name_of(InstructionSet set);
 /// True if this machine, and this build, have it.
 bool is_available(InstructionSet set);
-/// avx2 where it is available.
+/// avx512 on AMD's processors that have it, else avx2 where it is available: Intel's gain nothing by wider vectors.
 InstructionSet fastest_instruction_set();
 
 /// Forces over the force scale, F/S [1/s].
