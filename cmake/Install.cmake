@@ -1,6 +1,7 @@
 # cmake --install: what goes where. Components (cmake --install build --component NAME), also the Debian packages':
 #   dev    headers, CMake package, pkg-config file, the static libraries (laws' facts, batch evaluation, scenes)
 #   c      the shared library of the C interface
+#   solvers  the shared libraries of the C interfaces of solvers, runs and verification
 #   tool   the program and the data that it reads
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lubjoint)
@@ -17,6 +18,15 @@ if(TARGET lubjoint_c)
   string(REGEX REPLACE "/$" "" relative_prefix ${relative_prefix})
   configure_file(cmake/lubjoint-c.pc.in ${PROJECT_BINARY_DIR}/lubjoint-c.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/lubjoint-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endif()
+if(TARGET lubjoint_oracle_c)
+  foreach(part oracle simulate verify)
+    get_target_property(folder lubjoint_${part}_c LUBJOINT_HEADER_FOLDER)
+    install(FILES ${folder}/lubjoint_${part}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+    install(TARGETS lubjoint_${part}_c EXPORT c_solvers
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT solvers NAMELINK_COMPONENT dev)
+  endforeach()
+  install(EXPORT c_solvers NAMESPACE lubjoint:: FILE lubjoint-c_solvers.cmake DESTINATION ${package_folder} COMPONENT dev)
 endif()
 foreach(part law_facts batch scene)
   if(TARGET lubjoint_${part})

@@ -54,6 +54,17 @@ function(lubjoint_in_groups target)
   endif()
 endfunction()
 
+# lubjoint_c_interface(PART FOLDER): the shared library lubjoint_PART_c, whose header FOLDER/lubjoint_PART.h is all that
+# another project sees of it: lubjoint::c_PART. SOVERSION: raised when a function changes or goes.
+function(lubjoint_c_interface part folder)
+  add_library(lubjoint::c_${part} ALIAS lubjoint_${part}_c)
+  set_target_properties(lubjoint_${part}_c PROPERTIES
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON EXPORT_NAME c_${part}
+    VERSION ${PROJECT_VERSION} SOVERSION 0 LUBJOINT_HEADER_FOLDER ${folder})
+  target_include_directories(lubjoint_${part}_c PUBLIC
+    $<BUILD_INTERFACE:${folder}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endfunction()
+
 # lubjoint_report(TARGET): lightly optimised, and with one precompiled header for all of them.
 function(lubjoint_report target)
   lubjoint_lightly_optimised(${target})

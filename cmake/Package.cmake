@@ -1,4 +1,4 @@
-# cpack -G DEB: three Debian packages, one an install component (cmake/Install.cmake).
+# cpack -G DEB: four Debian packages, one an install component (cmake/Install.cmake).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lubjoint)
 set(CPACK_PACKAGE_VENDOR lubjoint)
@@ -32,6 +32,16 @@ if(TARGET lubjoint_c)
   set(CPACK_DEBIAN_C_DESCRIPTION "Shared library with a plain C interface:
 film forces, contact forces and moments over arrays.")
   string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", ${CPACK_DEBIAN_C_PACKAGE_NAME} (= ${PROJECT_VERSION})")
+endif()
+
+if(TARGET lubjoint_oracle_c)
+  list(APPEND CPACK_COMPONENTS_ALL solvers)
+  set(CPACK_DEBIAN_SOLVERS_PACKAGE_NAME liblubjoint-solvers-c${soversion})
+  set(CPACK_DEBIAN_SOLVERS_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_SOLVERS_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_SOLVERS_DESCRIPTION "Shared libraries with plain C interfaces:
+solvers of Reynolds' equation, runs of scene files, verification of programs.")
+  string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", ${CPACK_DEBIAN_SOLVERS_PACKAGE_NAME} (= ${PROJECT_VERSION})")
 endif()
 
 if(TARGET lubjoint_cli)

@@ -30,11 +30,11 @@ for program in force_law c_by_cmake c_by_pkg_config; do
 done
 "$place/build/array_forces" || fail "array_forces: rows are not those of one state"
 "$place/build/scene_file" "$place/usr/share/lubjoint/scenes/journal.toml" || fail "the scene was not run"
+"$place/build/c_solvers" "$place/usr/share/lubjoint" || fail "c_solvers: solver, run or verification is not what it should be"
 
 # No GPL library (GSL, GiNaC), and nothing else that the README does not name, is behind lib and what Python loads.
 for file in "$place/build/force_law" "$place/build/array_forces" "$place/build/c_by_cmake" "$place/build/scene_file" "$libraries/liblubjoint_c.so" \
-  "$build/oracle/verify/liblubjoint_verify_c.so" "$build/oracle/c/liblubjoint_oracle_c.so" \
-  "$build/oracle/c/liblubjoint_simulate_c.so"; do
+  "$libraries/liblubjoint_verify_c.so" "$libraries/liblubjoint_oracle_c.so" "$libraries/liblubjoint_simulate_c.so"; do
   [ -f "$file" ] || fail "$file is not there"
   needed=$(objdump -p "$file" | sed -n 's/^ *NEEDED *//p' |
     grep -vE '^(lib(c|m|gcc_s|stdc\+\+|tomlplusplus|fmt|lubjoint_c|asan|ubsan)\.so|ld-linux)' || true)

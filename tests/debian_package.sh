@@ -24,6 +24,7 @@ package() { # its file: one, of this name and version
 }
 tool=$(package lubjoint)
 library=$(package liblubjoint-c0)
+solvers=$(package liblubjoint-solvers-c0)
 headers=$(package liblubjoint-dev)
 holds() { # a file whose path ends thus
   dpkg-deb -c "$1" | awk '{print $6}' | grep -qE "$2\$" || fail "$(basename "$1") holds no $2"
@@ -36,6 +37,11 @@ holds "$tool" ./usr/share/lubjoint/scenes/journal.toml
 holds "$tool" ./usr/share/lubjoint/golden/manifest.json
 holds "$tool" ./usr/share/lubjoint/literature/raimondi-boyd.csv
 holds "$library" "./usr/lib/.*liblubjoint_c.so.$version"
+for part in oracle simulate verify; do
+  holds "$solvers" "./usr/lib/.*liblubjoint_${part}_c.so.$version"
+  holds "$headers" "./usr/lib/.*/?liblubjoint_${part}_c.so"
+  holds "$headers" "./usr/include/lubjoint_$part.h"
+done
 holds "$headers" ./usr/include/lubjoint/film/law.hpp
 holds "$headers" ./usr/include/lubjoint.h
 holds "$headers" "./usr/lib/.*cmake/lubjoint/lubjointConfig.cmake"
@@ -45,17 +51,20 @@ depends "$tool" libc6
 depends "$tool" libgsl
 depends "$library" 'libstdc\+\+6'
 depends "$headers" "liblubjoint-c0 \\(= $version\\)"
+depends "$headers" "liblubjoint-solvers-c0 \\(= $version\\)"
 depends "$headers" libeigen3-dev
 depends "$headers" libboost-dev
-if dpkg-deb -f "$library" Depends | grep -qE 'gsl|ginac|flint'; then fail "the C library depends on a GPL library"; fi
+for file in "$library" "$solvers"; do
+  if dpkg-deb -f "$file" Depends | grep -qE 'gsl|ginac|flint'; then fail "$file depends on a GPL library"; fi
+done
 
 # No file twice, none outside /usr.
-for file in "$tool" "$library" "$headers"; do dpkg-deb -c "$file" | awk '!/^d/ {print $6}'; done | sort >"$place/files"
+for file in "$tool" "$library" "$solvers" "$headers"; do dpkg-deb -c "$file" | awk '!/^d/ {print $6}'; done | sort >"$place/files"
 [ -z "$(uniq -d "$place/files")" ] || fail "in two packages: $(uniq -d "$place/files")"
 if grep -v '^\./usr/' "$place/files"; then fail "files outside of /usr"; fi
 
 # Unpacked anywhere, the program runs and finds its data.
-for file in "$tool" "$library" "$headers"; do dpkg-deb -x "$file" "$place/root"; done
+for file in "$tool" "$library" "$solvers" "$headers"; do dpkg-deb -x "$file" "$place/root"; done
 program=$place/root/usr/bin/lubjoint
 cd "$place"
 [ "$("$program" --version)" = "$version" ] || fail "lubjoint --version says $("$program" --version)"

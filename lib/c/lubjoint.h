@@ -118,7 +118,7 @@ LUBJOINT_API int lubjoint_load_film(const char* file);
 
 /* What a table says of itself, to be written. */
 typedef struct lubjoint_film {
-  double length_to_diameter;
+  double length_to_diameter; /* L/(2R) that it was compiled for */
   double ratio_limit; /* eccentricity ratio up to which the error was measured; beyond, it is not known */
   double error;       /* bound of |F - F_solved|/|F| there, F_solved by the solvers of Reynolds' equation */
 } lubjoint_film;
@@ -148,7 +148,8 @@ LUBJOINT_API int lubjoint_journal_force_gapless(const char* law, const lubjoint_
 
 /* Force on the journal and its derivatives, to be written. */
 typedef struct lubjoint_jacobian {
-  lubjoint_out fx, fy;         /* [N] */
+  lubjoint_out fx;             /* [N] */
+  lubjoint_out fy;             /* [N] */
   lubjoint_out by_place[4];    /* dfx/dex, dfx/dey, dfy/dex, dfy/dey [N/m] */
   lubjoint_out by_velocity[4]; /* dfx/dvx, dfx/dvy, dfy/dvx, dfy/dvy [N s/m] */
 } lubjoint_jacobian;

@@ -23,9 +23,9 @@ struct CompiledFilm {
   std::vector<double> coefficients;  ///< of the law's series, in its order
 };
 
-/// L/D for which films are compiled: beyond, no table was held against the solvers.
+/// The least L/D for which films are compiled: beyond, no table was held against the solvers.
 inline constexpr double least_compiled_shape = 0.05;
-inline constexpr double largest_compiled_shape = 10;
+inline constexpr double largest_compiled_shape = 10;  ///< and the largest
 
 /// A law that is an object, made for one L/D: it gives F/S as a law of law.hpp does.
 template <class Law>

@@ -24,6 +24,7 @@ class ConstrainedRadau final : public Integrator<R, run_time_size> {
   ConstrainedRadau(const MultibodyOde<R>& ode, const Tolerance& tolerance)
       : ConstrainedRadau(ode, tolerance, std::make_shared<ConstrainedMotionJacobian<R>>(ode)) {}
 
+  /// One step of the method, or a shorter dt to try.
   bool try_step(System& system, State& y, R& t, R& dt) override {
     auto rate = [&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); };
     auto jacobian = [this](const State& x, ConstrainedJacobian<R>& j, const R& s) { jacobian_->evaluate(s, x, j); };
@@ -31,10 +32,12 @@ class ConstrainedRadau final : public Integrator<R, run_time_size> {
     return stepper_.try_step(std::ref(parts), y, t, dt) == boost::numeric::odeint::success;
   }
   void reset() override { stepper_.reset(); }
+  /// The step's end, moved onto the constraints.
   void replace_state(const State& y) override { stepper_.replace_state(y); }
   std::unique_ptr<Integrator<R, run_time_size>> fresh() const override {
     return std::unique_ptr<Integrator<R, run_time_size>>(new ConstrainedRadau(ode_, tolerance_, jacobian_));
   }
+  /// The rate at the last step's end, from its stages.
   void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
   std::size_t looks_inside() const override { return 8; }  // its steps are long
   StepperCounts counts() const override { return stepper_.counts(); }

@@ -35,6 +35,7 @@ class FoundPlaces {
     std::vector<R> numbers;                              ///< of the free rows, and their factors
   };
 
+  /// @param freedoms  functions of the chart
   FoundPlaces(std::size_t bodies, std::size_t freedoms) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       places_[i].q.resize(In::coordinates * bodies);
@@ -59,14 +60,15 @@ class FoundPlaces {
     }
   }
 
+  /// None is known.
   void forget() {
     for (Place& each : places_) each.known = false;
   }
 
-  const Place& latest() const { return places_[latest_]; }  ///< that of the last search
-  Place& latest() { return places_[latest_]; }
-  const Moment& moment_of(const Place& place) const { return moments_[place.moment]; }
-  Moment& moment_of(const Place& place) { return moments_[place.moment]; }
+  const Place& latest() const { return places_[latest_]; }                              ///< that of the last search
+  Place& latest() { return places_[latest_]; }                                          ///< likewise
+  const Moment& moment_of(const Place& place) const { return moments_[place.moment]; }  ///< of a place's time
+  Moment& moment_of(const Place& place) { return moments_[place.moment]; }              ///< likewise
 
   /// The one that is known at a time, or nullptr.
   Place* at(const R& t) {

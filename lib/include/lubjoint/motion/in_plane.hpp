@@ -56,22 +56,28 @@ struct InPlane {
 
   /// Displacements are counted along the inertial axes.
   struct Directions {
+    /// A row as it is.
     template <class Row>
     const Row& of(const Row& row, std::size_t, std::size_t) const {
       return row;
     }
+    /// Nothing is to do.
     template <class V>
     void to_inertial(V*) const {}
+    /// Nothing is to do.
     template <class V>
     void from_inertial(V*) const {}
+    /// x(i), along direction i.
     template <class X>
     auto component(std::size_t i, const X& x) const {
       return x(i);
     }
+    /// Calls add_to(component of a body's velocity, value) for what a value along direction i adds.
     template <class V, class Add>
     void add(std::size_t i, const V& value, const Add& add_to) const {
       add_to(i % velocities, value);
     }
+    /// Bodies whose directions are others than the inertial ones: none.
     template <class Visit>
     void for_each_turned(const Visit&) const {}
   };

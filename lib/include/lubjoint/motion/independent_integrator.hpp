@@ -46,6 +46,7 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
     method_ = make_(some);
   }
 
+  /// One step in the chart's functions; no step, and a shorter dt, where the bodies' places are not found.
   bool try_step(System&, State& y, R& t, R& dt) override {
     const R before = t;
     try {
@@ -74,6 +75,7 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
   }
   void reset() override { method_->reset(); }
   std::unique_ptr<Base> fresh() const override { return std::unique_ptr<Base>(new IndependentIntegrator(*this)); }
+  /// The rate at the last step's end, from its stages.
   void refine_end_rate(State& rate) const override {
     small_.take_rate(rate, x_rate_);
     method_->refine_end_rate(x_rate_);

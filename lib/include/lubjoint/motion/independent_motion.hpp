@@ -91,8 +91,8 @@ class IndependentMotion {
   }
 
  protected:
-  using Parts = typename Chart::Parts;
-  using Part = typename Parts::Part;
+  using Parts = typename Chart::Parts;  ///< rows and velocities, those that the time prescribes apart
+  using Part = typename Parts::Part;    ///< one of the two
   /// Columns in one solution: V's, d, and the Newton step that is left.
   static constexpr std::size_t group = Freedoms == run_time_size ? 4 : Freedoms + 2;
   using Columns = Eigen::Array<R, static_cast<int>(group), 1>;  ///< so many columns at a velocity
@@ -116,10 +116,10 @@ class IndependentMotion {
         places_(system.bodies().size(), freedoms()),
         column_work_(n_),
         right_(freedoms()) {}
-  IndependentMotion(const IndependentMotion&) = default;
+  IndependentMotion(const IndependentMotion&) = default;  ///< with what it has found
 
-  using Moment = typename FoundPlaces<In, Columns>::Moment;
-  using Place = typename FoundPlaces<In, Columns>::Place;
+  using Moment = typename FoundPlaces<In, Columns>::Moment;  ///< what a time prescribes
+  using Place = typename FoundPlaces<In, Columns>::Place;    ///< places that were found
 
   /// The next search starts from the places of a state, also if one of them fails.
   void start_from(const Full& y) {
@@ -128,15 +128,17 @@ class IndependentMotion {
     taken_.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(places_end_));
     forget();
   }
+  /// Nothing is known of any place.
   void forget() {
     places_.forget();
     here_ = false;
     accelerated_ = false;
   }
-  const Part& prescribed() const { return chart_.parts().prescribed(); }
-  const Part& free() const { return chart_.parts().free(); }
-  const Place& latest() const { return places_.latest(); }  ///< that of the last evaluation
-  const Moment& moment() const { return places_.moment_of(latest()); }
+  const Part& prescribed() const { return chart_.parts().prescribed(); }  ///< by the time
+  const Part& free() const { return chart_.parts().free(); }              ///< all else
+  const Place& latest() const { return places_.latest(); }                ///< that of the last evaluation
+  const Moment& moment() const { return places_.moment_of(latest()); }    ///< that of its time
+  /// The numbers of both parts' rows there, with their factors.
   typename Parts::Numbers numbers() const { return {moment().numbers.data(), latest().numbers.data()}; }
   /// Column k of V, d after them, at the i-th free velocity.
   const R& column(const Place& place, std::size_t k, std::size_t i) const {
@@ -147,11 +149,13 @@ class IndependentMotion {
     }
   }
 
+  /// |x|
   static R size_of(const R& x) {
     using std::abs;
     return abs(x);
   }
-  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }  ///< as Eigen counts
+  /// Groups of columns that V, d and the Newton step take.
   std::size_t groups() const { return (freedoms() + 2 + group - 1) / group; }
   std::size_t first_function() const { return free().size() - freedoms(); }  ///< among the free rows
 
@@ -215,19 +219,22 @@ class IndependentMotion {
     directions().to_inertial(a);
   }
 
-  const System& system_;
-  std::size_t places_end_;  ///< number of q, behind which velocities begin
-  std::size_t n_, m_;       ///< velocities, rows of constraints in A
-  Chart chart_;
-  typename In::template Workspace<R> w_;
-  Full y_;                        ///< (q, v) of the last evaluation
-  bool here_ = false;             ///< is y_ that of the latest place and of speeds_?
-  bool accelerated_ = false;      ///< and are the accelerations?
-  std::vector<R> speeds_;         ///< ż
-  std::vector<R> accelerations_;  ///< z̈
-  std::vector<R> gammas_;         ///< of the free rows, less what the prescribed accelerations are to them
-  std::vector<typename In::template Row<R>> functions_;
-  std::vector<R> residual_, step_, work_;  ///< work, kept so that no evaluation allocates
+  const System& system_;                  ///< the mechanism
+  std::size_t places_end_;                ///< number of q, behind which velocities begin
+  std::size_t n_;                         ///< velocities
+  std::size_t m_;                         ///< rows of constraints in A
+  Chart chart_;                           ///< the functions in use
+  typename In::template Workspace<R> w_;  ///< frames, forces and rows at the last evaluation
+  Full y_;                                ///< (q, v) of the last evaluation
+  bool here_ = false;                     ///< is y_ that of the latest place and of speeds_?
+  bool accelerated_ = false;              ///< and are the accelerations?
+  std::vector<R> speeds_;                 ///< ż
+  std::vector<R> accelerations_;          ///< z̈
+  std::vector<R> gammas_;                 ///< of the free rows, less what the prescribed accelerations are to them
+  std::vector<typename In::template Row<R>> functions_;  ///< the chart's, as rows
+  std::vector<R> residual_;                              ///< work, kept so that no evaluation allocates
+  std::vector<R> step_;                                  ///< likewise
+  std::vector<R> work_;                                  ///< likewise
 
  private:
   static constexpr std::size_t dimensions = In::velocities == 3 ? 2 : 3;  ///< of r

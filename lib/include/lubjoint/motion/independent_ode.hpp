@@ -105,6 +105,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     for (std::size_t i = works_begin(); i < y_rate.size(); ++i) x_rate[2 * f + i - works_begin()] = y_rate[i];
   }
 
+  /// ẋ of x = (z, ż, work).
   void rate(const State& x, State& dxdt, const R& t) override {
     ode_.count_from(ode_.evaluations() + 1);
     follow(t, x);
@@ -131,6 +132,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     return w_.multipliers;
   }
 
+  /// ∂ẋ/∂x, exact: by implicit differentiation of the free rows.
   void jacobian(const State& x, Jacobian& j, const R& t) override {
     multipliers(x, t);
     const std::size_t f = freedoms();
@@ -161,6 +163,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     }
   }
 
+  /// ∂ẋ/∂t at fixed x, exact likewise.
   void time_slope(const State& x, State& slope, const R& t) override {
     multipliers(x, t);
     const std::size_t f = freedoms();

@@ -59,11 +59,13 @@ class ModeRuns {
     outcome_.integrator = std::move(method);
   }
 
+  /// Time 0, and a first step.
   void begin() {
     t_ = 0;
     dt_ = 1e-6 * settings_.duration;
   }
 
+  /// A mode's motion from t_ on, until it ends or an event does. @param y  its start, and then its end
   template <class Mode>
   RunResult integrate(const Mode& mode, std::array<double, Mode::dimension>& y) {
     const double position = settings_.absolute_tolerance;
@@ -92,6 +94,7 @@ class ModeRuns {
     return result;
   }
 
+  /// What is left of a run: why it ended, and its last row.
   template <class Mode, class State>
   void conclude(const Mode& mode, const RunResult& result, const State& y) {
     if (result.end != RunEnd::duration_reached) {
@@ -102,14 +105,14 @@ class ModeRuns {
     recorder_.finish(mode, t_, y);
   }
 
-  std::string joint_name_;
-  RunSettings settings_;
-  JournalRecorder recorder_;
-  RunOutcome outcome_;
-  StallGuard<double> guard_;
-  double rate_scale_;
-  double t_ = 0;
-  double dt_ = 0;
+  std::string joint_name_;    ///< for messages
+  RunSettings settings_;      ///< of the scene
+  JournalRecorder recorder_;  ///< samples, extremes and ledger
+  RunOutcome outcome_;        ///< status and counts
+  StallGuard<double> guard_;  ///< against steps that get nowhere
+  double rate_scale_;         ///< of velocities [1/s]
+  double t_ = 0;              ///< the time [s]
+  double dt_ = 0;             ///< the next step [s]
 };
 
 /// Runs a journal without mass.

@@ -18,6 +18,7 @@ namespace lubjoint {
 template <class R, std::size_t Freedoms, class Columns>
 class ReducedMass {
  public:
+  /// @param freedoms  columns of V
   explicit ReducedMass(std::size_t freedoms) : f_(freedoms), factors_(freedoms * freedoms) {}
 
   /// @param n  rows of V;  @param weigh  weigh(i, v): row i of M times a group of columns v

@@ -31,9 +31,9 @@ struct SpatialTrajectory {
 
 /// A system in space that is ready to run, and its start on the constraints.
 struct PreparedSpatialScene {
-  SpatialSystem<double> system;
-  std::vector<double> start;
-  SpatialStart<double> found;  ///< correction, rows left out, rank
+  SpatialSystem<double> system;  ///< bodies, constraints, drivers, joints, forces
+  std::vector<double> start;     ///< (q, v, work) on the constraints
+  SpatialStart<double> found;    ///< correction, rows left out, rank
 };
 
 /// Brings a scene's start onto its constraints, and refuses what can't start.
