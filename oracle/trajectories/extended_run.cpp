@@ -22,13 +22,14 @@ std::unique_ptr<Integrator<Real, N>> integrator_of(ExtendedMethod method, const 
   return std::make_unique<Fehlberg78Integrator<Real, N>>(tolerance);
 }
 
-/// Law: of law_list.hpp, or ChosenLaw.
-template <class Law>
+/// A free journal on any law. Each would make an equation of its own; the law is chosen where it runs, and has the bits
+/// that it has alone.
 class ExtendedJournal final : public OdeSystem<Real, 4> {
  public:
   explicit ExtendedJournal(const JournalScene& p)
-      : journal_(film_of<Law, Real>(p.law, Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
-                                    Lubricant<Real>(p.oil.viscosity()), p.table.get()),
+      : journal_(film_of<ChosenLaw, Real>(p.law,
+                                          Bearing<Real>(p.bearing.length(), p.bearing.radius(), p.bearing.clearance()),
+                                          Lubricant<Real>(p.oil.viscosity()), p.table.get()),
                  {p.drive.mass, p.drive.load.template cast<Real>(), p.drive.bearing_spin, p.drive.journal_spin}) {}
   void rate(const State& y, State& dydt, const Real&) override { journal_.rate(y, dydt); }
   void jacobian(const State& y, Jacobian& j, const Real&) override {
@@ -37,7 +38,7 @@ class ExtendedJournal final : public OdeSystem<Real, 4> {
   void time_slope(const State&, State& slope, const Real&) override { slope.fill(0); }
 
  private:
-  FreeJournal<Law, Real> journal_;
+  FreeJournal<ChosenLaw, Real> journal_;
 };
 
 }  // namespace
@@ -48,34 +49,31 @@ double extended_tolerance(ExtendedMethod method) {
 }
 
 Reference extended_journal_run(const Scene& scene, const std::vector<double>& times, ExtendedMethod method) {
+  const std::string& law = scene.joints[0].film;
+  if (with_film_law<NamedFilmLaws>(law, []<class Law>() { return JumpingLaw<Law>; })) {
+    throw std::invalid_argument(law + ": allowed here are laws without a jump");
+  }
   const JournalScene parts = journal_scene(scene);
-  return with_film_law<NamedFilmLaws>(scene.joints[0].film, [&]<class Law>() -> Reference {
-    if constexpr (JumpingLaw<Law>) {
-      throw std::invalid_argument(std::string(Law::name) + ": allowed here are laws without a jump");
-    } else {
-      ExtendedJournal<RunLaw<Law>> system(parts);
-      const Real tolerance(extended_tolerance(method));
-      const Real velocity = tolerance * 1000;  // rates of ê reach thousands a second
-      const auto integrator =
-          integrator_of<4>(method, {tolerance, {tolerance, tolerance, velocity, velocity}, tolerance});
-      std::array<Real, 4> y{parts.start[0], parts.start[1], parts.start[2], parts.start[3]};
-      Real t = 0;
-      Real dt = Real(1e-9) * scene.run.duration;
-      Reference seen;
-      for (const double time : times) {
-        while (t < time) {
-          const Real wanted = dt;
-          const bool last = t + dt >= time;
-          if (last) dt = time - t;
-          if (!integrator->try_step(system, y, t, dt) || !last) continue;
-          t = time;
-          dt = std::max(dt, wanted);
-        }
-        seen.emplace_back(static_cast<double>(y[0]), static_cast<double>(y[1]));
-      }
-      return seen;
+  ExtendedJournal system(parts);
+  const Real tolerance(extended_tolerance(method));
+  const Real velocity = tolerance * 1000;  // rates of ê reach thousands a second
+  const auto integrator = integrator_of<4>(method, {tolerance, {tolerance, tolerance, velocity, velocity}, tolerance});
+  std::array<Real, 4> y{parts.start[0], parts.start[1], parts.start[2], parts.start[3]};
+  Real t = 0;
+  Real dt = Real(1e-9) * scene.run.duration;
+  Reference seen;
+  for (const double time : times) {
+    while (t < time) {
+      const Real wanted = dt;
+      const bool last = t + dt >= time;
+      if (last) dt = time - t;
+      if (!integrator->try_step(system, y, t, dt) || !last) continue;
+      t = time;
+      dt = std::max(dt, wanted);
     }
-  });
+    seen.emplace_back(static_cast<double>(y[0]), static_cast<double>(y[1]));
+  }
+  return seen;
 }
 
 ExtendedRun extended_multibody_run(const Scene& given, double output_interval, ExtendedMethod method,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "lubjoint/ode/integrators.hpp"
@@ -113,7 +114,12 @@ class RaceCase final : public BenchCase {
 
   MethodRun run_sundials_method(const std::string& method, double tolerance, const BenchLimits& limits,
                                 Reference* seen) {
-    PlainProblem plain = *plain_problem(tolerance);
+    std::optional<PlainProblem> given = plain_problem(tolerance);
+    if (!given) {
+      throw std::invalid_argument(method + " is not given " + formulation() +
+                                  " coordinates; allowed are the project's own methods");
+    }
+    PlainProblem& plain = *given;
     State y = problem_->start();
     if (seen) {
       plain.times = times_;
