@@ -34,7 +34,7 @@ foreach(part law_facts batch scene)
   endif()
 endforeach()
 if(TARGET lubjoint_scene)
-  install(TARGETS lubjoint_scene_reader lubjoint_scene_search lubjoint_space lubjoint_space_reader EXPORT scene
+  install(TARGETS lubjoint_multibody lubjoint_scene_reader lubjoint_scene_search lubjoint_space lubjoint_space_reader EXPORT scene
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
 endif()
 foreach(part headers law_facts batch c scene)
