@@ -36,6 +36,7 @@ endif()
 
 if(TARGET lubjoint_oracle_c)
   list(APPEND CPACK_COMPONENTS_ALL solvers)
+  get_target_property(soversion lubjoint_oracle_c SOVERSION)
   set(CPACK_DEBIAN_SOLVERS_PACKAGE_NAME liblubjoint-solvers-c${soversion})
   set(CPACK_DEBIAN_SOLVERS_PACKAGE_SECTION libs)
   set(CPACK_DEBIAN_SOLVERS_PACKAGE_SHLIBDEPS ON)

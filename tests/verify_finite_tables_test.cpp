@@ -207,6 +207,9 @@ TEST_CASE("verify finite tables: what is not judged of these films is refused wi
              Contains("--states does nothing with --law finite_half"));
   CHECK_THAT(refused("finite_half", {"equilibrium", "--only", "omega == 5"}),
              Contains("no state") && Contains("omega == 5"));
+  const std::vector<State> bare(3);  // that no solver stands behind
+  CHECK_THROWS_WITH(judged("finite_half"_law, Quantities::equilibrium, bare, Answers{std::vector<Answer>(3), {}, {0}}),
+                    Contains("no solver stands behind"));
   CHECK(parse_csv(asked("finite_half", {"equilibrium"}).out).size() == 56);
   CHECK(parse_csv(asked("finite_reynolds", {"equilibrium", "--onset", "maximum_film"}).out).size() == 56);
   CHECK(parse_csv(asked("finite_dynamic", {"losses", "--shear", "flooded"}).out).size() == 120);
@@ -233,4 +236,6 @@ TEST_CASE("verify finite tables: every mistake is named first") {
   check("finite_half"_law, Quantities::coefficients, 3, 45);
   check("finite_dynamic"_law, Quantities::equilibrium, 3, 25);
   check("finite_dynamic"_law, Quantities::losses, 7, 30);
+  check("finite_reynolds"_law, Quantities::equilibrium, 9, 25);
+  check("finite_reynolds"_law, Quantities::losses, 17, 30);
 }

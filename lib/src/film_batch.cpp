@@ -52,6 +52,8 @@ InstructionSet fastest_instruction_set() {
 
 namespace {
 
+using detail::ForceBlock;
+
 /// The dynamic films, and those of squeeze alone that open and close, have a branch on how the film opens, an
 /// arctangent and a series.
 template <class Law>
@@ -62,29 +64,32 @@ constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same
 template <FilmLaw Law, class Rows>
 [[gnu::target("avx2,fma"), gnu::flatten]] std::size_t evaluate_avx2(const Rows& rows, std::size_t begin,
                                                                     std::size_t end, double scale, double* first,
-                                                                    double* second) {
-  return detail::evaluate_blocks<Law>(rows, begin, end, scale, first, second);
+                                                                    double* second, ForceBlock& block) {
+  return detail::evaluate_blocks<Law>(rows, begin, end, scale, first, second, block);
 }
 #endif
 #ifdef LUBJOINT_HAS_AVX512
 template <FilmLaw Law, class Rows>
 [[gnu::target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512"), gnu::flatten]] std::size_t evaluate_avx512(
-    const Rows& rows, std::size_t begin, std::size_t end, double scale, double* first, double* second) {
-  return detail::evaluate_blocks<Law>(rows, begin, end, scale, first, second);
+    const Rows& rows, std::size_t begin, std::size_t end, double scale, double* first, double* second,
+    ForceBlock& block) {
+  return detail::evaluate_blocks<Law>(rows, begin, end, scale, first, second, block);
 }
 #endif
 
-/// Whole blocks from row begin on. @returns the row before which all are answered
+/// Whole blocks from row begin on. @returns the row before which all are answered; the block takes the next rows'
+/// forces
 template <FilmLaw Law, class Rows>
 std::size_t evaluated_together([[maybe_unused]] const Rows& rows, std::size_t begin, [[maybe_unused]] std::size_t end,
                                [[maybe_unused]] double scale, [[maybe_unused]] double* first,
-                               [[maybe_unused]] double* second, [[maybe_unused]] InstructionSet set) {
+                               [[maybe_unused]] double* second, [[maybe_unused]] ForceBlock& block,
+                               [[maybe_unused]] InstructionSet set) {
   if constexpr (is_straight<Law>) {
 #ifdef LUBJOINT_HAS_AVX512
-    if (set == InstructionSet::avx512) return evaluate_avx512<Law>(rows, begin, end, scale, first, second);
+    if (set == InstructionSet::avx512) return evaluate_avx512<Law>(rows, begin, end, scale, first, second, block);
 #endif
 #ifdef LUBJOINT_HAS_AVX2
-    if (set == InstructionSet::avx2) return evaluate_avx2<Law>(rows, begin, end, scale, first, second);
+    if (set == InstructionSet::avx2) return evaluate_avx2<Law>(rows, begin, end, scale, first, second, block);
 #endif
   }
   return begin;
@@ -116,16 +121,18 @@ void evaluate_checked(const Rows& rows, std::size_t begin, std::size_t end, doub
   }
 }
 
-/// Fewer rows than a block, as a block. @returns false if one is not ordinary: then nothing is written
+/// Rows begin…end − 1 of a block of which one is not ordinary: the others' forces are known.
 template <FilmLaw Law, class Rows>
-bool evaluated_padded(const Rows& rows, std::size_t begin, std::size_t end, double scale, const ForceArrays& forces,
-                      InstructionSet set) {
-  detail::BlockColumn room[detail::most_columns], one, two;
-  const Rows part = rows.padded(begin, end - begin, room);
-  if (evaluated_together<Law>(part, 0, detail::block_rows, scale, one.values, two.values, set) == 0) return false;
-  std::copy_n(one.values, end - begin, forces.first.data() + begin);
-  std::copy_n(two.values, end - begin, forces.second.data() + begin);
-  return true;
+void finish_block(const Rows& rows, std::size_t begin, std::size_t end, double scale, const ForceArrays& forces,
+                  const ForceBlock& block) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!detail::is_ordinary<Law>(rows.quick(i))) {
+      evaluate_checked<Law>(rows, i, i + 1, scale, forces);
+      continue;
+    }
+    forces.first[i] = block.first.values[i - begin];
+    forces.second[i] = block.second.values[i - begin];
+  }
 }
 
 template <FilmLaw Law, class Rows>
@@ -133,16 +140,19 @@ void evaluate(const Rows& rows, double scale, const ForceArrays& forces, Instruc
   const std::size_t n = forces.first.size(), whole = n - n % detail::block_rows;
   const bool together = set != InstructionSet::scalar && is_straight<Law> && detail::is_ordinary_scale(scale);
   if (!together) return evaluate_checked<Law>(rows, 0, n, scale, forces);
+  ForceBlock block;
   std::size_t begin = 0;
   while (begin < whole) {
-    begin = evaluated_together<Law>(rows, begin, whole, scale, forces.first.data(), forces.second.data(), set);
+    begin = evaluated_together<Law>(rows, begin, whole, scale, forces.first.data(), forces.second.data(), block, set);
     if (begin == whole) break;
-    evaluate_checked<Law>(rows, begin, begin + detail::block_rows, scale, forces);  // a row of it is not ordinary
+    finish_block<Law>(rows, begin, begin + detail::block_rows, scale, forces, block);
     begin += detail::block_rows;
   }
-  if (begin < n && !evaluated_padded<Law>(rows, begin, n, scale, forces, set)) {
-    evaluate_checked<Law>(rows, begin, n, scale, forces);
-  }
+  if (begin == n) return;
+  detail::BlockColumn room[detail::most_columns];
+  const Rows rest = rows.padded(begin, n - begin, room);
+  evaluated_together<Law>(rest, 0, detail::block_rows, scale, block.first.values, block.second.values, block, set);
+  finish_block<Law>(rows, begin, n, scale, forces, block);
 }
 
 /// One state after the other, of a law that needs more than the state.

@@ -115,6 +115,11 @@ struct PolarRows {
 };
 inline constexpr std::size_t most_columns = 6;
 
+/// Forces of one block's rows.
+struct ForceBlock {
+  BlockColumn first, second;
+};
+
 template <FilmLaw Law>
 bool is_ordinary(const FilmState<double>& film) {
   const bool moves = is_ordinary_square(dot(film.velocity, film.velocity));
@@ -157,23 +162,28 @@ Vector2<double> quick_ratio(const PolarFilmState<double>& state) {
 }
 
 /// Forces of whole blocks of rows, until one has a row that is not ordinary; that one is not written.
+/// @param block  takes the forces of that one, right for its ordinary rows
 /// @returns the row at which it ended, end − begin being a multiple of block_rows
 template <FilmLaw Law, class Rows>
 [[gnu::always_inline]] inline std::size_t evaluate_blocks(const Rows& rows, std::size_t begin, std::size_t end,
-                                                          double scale, double* first, double* second) {
+                                                          double scale, double* first, double* second,
+                                                          ForceBlock& block) {
   for (; begin < end; begin += block_rows) {
-    BlockColumn one, two;
+    ForceBlock here;       // not the caller's: nobody else looks at it while the loop runs
     std::int64_t odd = 0;  // as wide as a double, so that its lanes are the rows'
     for (std::size_t i = 0; i < block_rows; ++i) {
       const auto state = rows.quick(begin + i);
       odd |= is_ordinary<Law>(state) ? 0 : 1;
       const Vector2<double> ratio = quick_ratio<Law>(state);
-      one.values[i] = scale * ratio.x();
-      two.values[i] = scale * ratio.y();
+      here.first.values[i] = scale * ratio.x();
+      here.second.values[i] = scale * ratio.y();
     }
-    if (odd != 0) break;
-    for (std::size_t i = 0; i < block_rows; ++i) first[begin + i] = one.values[i];
-    for (std::size_t i = 0; i < block_rows; ++i) second[begin + i] = two.values[i];
+    if (odd != 0) {
+      block = here;
+      break;
+    }
+    for (std::size_t i = 0; i < block_rows; ++i) first[begin + i] = here.first.values[i];
+    for (std::size_t i = 0; i < block_rows; ++i) second[begin + i] = here.second.values[i];
   }
   return begin;
 }

@@ -328,6 +328,12 @@ Verification verify_answers(Quantities quantities, const std::string& law, std::
   require_law(quantities, law);
   if (law == "auto") return best_law(quantities, states, answers, settings);
   const Law named = law_of(law);
+  const bool is_known =
+      !is_solved_film(named) || std::ranges::all_of(states, [](const State& s) { return s.films != nullptr; });
+  if (!is_known) {
+    throw std::invalid_argument("states that no solver stands behind are not judged for " + law +
+                                "; allowed are those of finite_table_states");
+  }
   return made(quantities, named, states, answers, settings, depth_for(named));
 }
 

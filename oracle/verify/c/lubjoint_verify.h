@@ -23,15 +23,15 @@ LUBJOINT_VERIFY_API const char* lubjoint_verify_answer_columns(const char* quant
  * of its own, 56 loads or 120 motions, so that golden, random and seed are not read. */
 typedef struct {
   const char* quantities; /* "cartesian", "polar", "coefficients" and so on: what `lubjoint verify --help` lists */
-  const char* law;    /* that is claimed; null or "auto": which one is to be found out, of those of no finite length */
-  const char* onset;  /* of finite_reynolds: "free" or "maximum_film"; null: free */
-  const char* golden; /* folder of the golden data */
-  size_t random;      /* number of random states */
-  uint64_t seed;      /* of these */
-  const char* only;  /* domain, "omega_sum > 0, eccentricity_ratio > 0"; null: everywhere */
-  int steady;        /* other than 0: steady rotation in a bearing at rest alone */
-  const char* shear; /* of losses: "film", "flooded", "striated"; null: "film" */
-  size_t at_most;    /* states in all, chosen to cover the regimes; 0: all of them */
+  const char* law;        /* that is claimed; null or "auto": which one is to be found out, of those of no finite length */
+  const char* onset;      /* of finite_reynolds: "free" or "maximum_film"; null: free */
+  const char* golden;     /* folder of the golden data */
+  size_t random;          /* number of random states */
+  uint64_t seed;          /* of these */
+  const char* only;       /* domain, "omega_sum > 0, eccentricity_ratio > 0"; null: everywhere */
+  int steady;             /* other than 0: steady rotation in a bearing at rest alone */
+  const char* shear;      /* of losses: "film", "flooded", "striated"; null: "film" */
+  size_t at_most;         /* states in all, chosen to cover the regimes; 0: all of them */
 } lubjoint_verify_request;
 
 /* Number of states. */

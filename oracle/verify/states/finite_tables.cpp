@@ -1,6 +1,5 @@
 #include "oracle/verify/states/finite_tables.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -94,6 +94,10 @@ void find_moments(Solution& s) {
   s.moment_journal = cross(s.arm_journal, s.force);
 }
 
+SteadySlopes slopes_at(const Solution& s, Real ratio, Real gap) {
+  return is_solved_film(s.law) ? s.films->slopes(s.law, s.shape, ratio) : published_slopes(s.law, ratio, gap);
+}
+
 }  // namespace
 
 void Solution::scale_lengths(Real factor) {
@@ -116,10 +120,6 @@ Real contact_loss(Law law, Real c) {
   }
 }
 
-SteadySlopes slopes_at(const Solution& s, Real ratio, Real gap) {
-  return is_solved_film(s.law) ? s.films->slopes(s.law, s.shape, ratio) : published_slopes(s.law, ratio, gap);
-}
-
 void find_rest(Solution& s) {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Real wanted = s.rest.load / (s.scale * std::abs(s.rest.spin));
@@ -129,7 +129,7 @@ void find_rest(Solution& s) {
     place = place_under_load(
         [&](Real ratio, Real gap) {
           SteadySlopes f = slopes_at(s, ratio, gap);
-          if (s.rest.radial_alone) f.tangential = f.tangential_by_ratio = f.tangential_by_slip = 0;
+          if (s.rest.radial_alone) f.tangential = 0;
           return f;
         },
         wanted);
