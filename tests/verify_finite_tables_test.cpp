@@ -7,6 +7,7 @@
 #include "lubjoint/film/losses.hpp"
 #include "oracle/verify/states/finite_film.hpp"
 #include "oracle/verify/states/finite_tables.hpp"
+#include "oracle/verify/states/solved_film_states.hpp"
 #include "support/compiled_films.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
@@ -21,7 +22,7 @@ using oracle::FiniteFilm;
 namespace {
 
 std::vector<State> states_of(Law law, Quantities quantities, ShearExtent shear = ShearExtent::film) {
-  return finite_table_states({oracle::finite_film_of(name_of(law))}, quantities, {}, shear, 2);
+  return solved_film_states({oracle::finite_film_of(name_of(law))}, quantities, {}, shear, 2);
 }
 
 /// Every so many of them; the steps that are used share no factor with the numbers of ratios, spins and motions.

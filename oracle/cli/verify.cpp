@@ -15,8 +15,8 @@
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
-#include "oracle/verify/states/finite_tables.hpp"
 #include "oracle/verify/states/foreign_program.hpp"
+#include "oracle/verify/states/solved_film_states.hpp"
 #include "oracle/verify/trajectory/scene_suspects.hpp"
 #include "oracle/verify/trajectory/trajectory_report.hpp"
 
@@ -290,13 +290,13 @@ int run_finite(const VerifyOptions& o) {
   const verify::Conjunction domain = domain_of(o, quantities);
   const double tolerance = o.tolerance.value_or(verify::finite_tolerance);
   const unsigned threads = reports::available_cores();
-  if (!verify::is_table(quantities)) {
+  if (verify::is_finite_force(quantities)) {
     return judged(o, quantities, verify::finite_states(quantities, domain), [&](auto&& states, auto&& answers) {
       return verify::verify_finite_film(claim, quantities, std::move(states), std::move(answers), tolerance, threads,
                                         verify::words(domain));
     });
   }
-  return judged(o, quantities, verify::finite_table_states(claim, quantities, domain, shear_extent(o.shear), threads),
+  return judged(o, quantities, verify::solved_film_states(claim, quantities, domain, shear_extent(o.shear), threads),
                 [&](auto&& states, auto&& answers) {
                   return verify::verify_answers(quantities, o.law, std::move(states), std::move(answers),
                                                 {tolerance, verify::words(domain)});
@@ -340,8 +340,8 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_option("--law", options->law,
                       "Film law that it claims, or auto: find out; with --scene, in place of the scene's. finite_full, "
                       "finite_half,\nfinite_dynamic or finite_reynolds: the film of the bearing's length, by the "
-                      "solver, with --quantities\n"
-                      "cartesian, polar, coefficients, equilibrium or losses");
+                      "solver, with every\n--quantities but dimensionless and contact; where it lies (extent) "
+                      "not of finite_reynolds");
   command->add_option("--onset", options->onset,
                       "Where the film of finite_reynolds begins in steady rotation: free (default) or maximum_film");
   command->add_option(

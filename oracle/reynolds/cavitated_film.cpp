@@ -36,6 +36,15 @@ std::unique_ptr<CavitatedGrid> next_grid(const ScaledFilm& film, bool pinned, in
   return grid;
 }
 
+/// A grid of any fineness, by way of coarser ones.
+std::unique_ptr<CavitatedGrid> solved_grid(const ScaledFilm& film, bool pinned, int along) {
+  std::unique_ptr<CavitatedGrid> grid;
+  for (const int steps : steps_along) {
+    if (steps < along) grid = next_grid(film, pinned, steps, grid.get());
+  }
+  return next_grid(film, pinned, along, grid.get());
+}
+
 template <int N>
 using Values = typename ScaledResult<N>::Values;
 
@@ -152,17 +161,22 @@ std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned,
   const int least_along = 32;
   const int along =
       std::max({least_along, static_cast<int>(zeta.size() + 1) / 2, static_cast<int>(theta.size()) / around_per_along});
-  std::unique_ptr<CavitatedGrid> grid;
-  for (const int steps : steps_along) {
-    if (steps < along) grid = next_grid(film, pinned, steps, grid.get());
-  }
-  grid = next_grid(film, pinned, along, grid.get());
+  const std::unique_ptr<CavitatedGrid> grid = solved_grid(film, pinned, along);
   std::vector<double> pressure;
   pressure.reserve(theta.size() * zeta.size());
   for (const double angle : theta) {
     for (const double z : zeta) pressure.push_back(grid->pressure(angle, z));
   }
   return pressure;
+}
+
+ScaledPressure cavitated_film_pressure_at(const ScaledFilm& film, bool pinned, double theta, double zeta) {
+  constexpr int along = 48;
+  const std::unique_ptr<CavitatedGrid> coarser = solved_grid(film, pinned, along / 2);
+  const std::unique_ptr<CavitatedGrid> grid = next_grid(film, pinned, along, coarser.get());
+  const double value = grid->pressure(theta, zeta), largest = grid->largest_pressure();
+  const double change = std::abs(value - coarser->pressure(theta, zeta));
+  return {value, largest, change / 2 + largest / (4 * along * along)};
 }
 
 }  // namespace lubjoint::oracle

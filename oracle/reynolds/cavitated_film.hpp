@@ -34,4 +34,9 @@ ScaledCouette cavitated_film_couette(const ScaledFilm& film, double relative_tol
 std::vector<double> cavitated_film_pressure(const ScaledFilm& film, bool pinned, const std::vector<double>& theta,
                                             const std::vector<double>& zeta);
 
+/// P at one place, from a grid of 48 steps along half of the length. The error estimate is half of the change from a
+/// grid of half as many, of which second order leaves a third, and a quarter of the largest P over the steps' square
+/// for the rounding of the free boundary to the nodes. Accuracy, of the largest P: 6e-4 for L/D ¼ to 2, ε ≤ 0.9.
+ScaledPressure cavitated_film_pressure_at(const ScaledFilm& film, bool pinned, double theta, double zeta);
+
 }  // namespace lubjoint::oracle

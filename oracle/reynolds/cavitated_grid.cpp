@@ -205,6 +205,8 @@ double CavitatedGrid::couette_integral() const {
   return sum / zeta_.back();
 }
 
+double CavitatedGrid::largest_pressure() const { return *std::ranges::max_element(pressure_); }
+
 double CavitatedGrid::pressure(double theta, double zeta) const {
   const double turn = 2 * std::numbers::pi;
   double x = std::remainder(theta - std::numbers::pi, turn);

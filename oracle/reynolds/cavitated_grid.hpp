@@ -39,6 +39,8 @@ class CavitatedGrid {
   int along() const { return along_; }
   /// P at an angle θ from the maximum film and at ζ, |ζ| ≤ Λ, by linear interpolation.
   double pressure(double theta, double zeta) const;
+  /// The largest P of a node.
+  double largest_pressure() const;
 
  private:
   std::size_t node(int i, int j) const {

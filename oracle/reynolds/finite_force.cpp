@@ -63,4 +63,13 @@ FiniteCouette finite_couette_integral(double length_to_diameter, const FilmState
   return {solved.integral, solved.error, solved.tolerance_met};
 }
 
+FinitePressure finite_pressure(FiniteFilm film, double length_to_diameter, const PolarFilmState<double>& state,
+                               double theta, double zeta, FilmOnset onset) {
+  require_shape(length_to_diameter);
+  // R = 1, c = 1/2 and μ = 1/4: μ(R/c)² is one.
+  const FiniteLengthPressure solved = finite_length_pressure_at(film, Bearing<double>(2 * length_to_diameter, 1, 0.5),
+                                                                Lubricant<double>(0.25), state, theta, zeta, onset);
+  return {solved.pressure, solved.largest, solved.error};
+}
+
 }  // namespace lubjoint::oracle

@@ -51,4 +51,18 @@ struct FiniteCouette {
 FiniteCouette finite_couette_integral(double length_to_diameter, const FilmState<double>& state,
                                       double relative_tolerance = 1e-3);
 
+/// A pressure over μ(R/c)², the film's largest, and a bound of the error.
+struct FinitePressure {
+  double ratio = 0;    ///< p/(μ(R/c)²) [1/s]
+  double largest = 0;  ///< [1/s]
+  double error = 0;    ///< [1/s]
+};
+
+/// Pressure of a finite-length film of one L/D at a place: finite_length_pressure_at without the bearing's other
+/// dimensions. At u = 0 it is zero.
+/// @param theta  from the maximum film [rad];  @param zeta  z/R
+/// @throws std::invalid_argument as finite_force
+FinitePressure finite_pressure(FiniteFilm film, double length_to_diameter, const PolarFilmState<double>& state,
+                               double theta, double zeta, FilmOnset onset = FilmOnset::free);
+
 }  // namespace lubjoint::oracle

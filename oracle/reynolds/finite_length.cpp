@@ -25,6 +25,9 @@ constexpr std::array<std::pair<FiniteFilm, std::string_view>, 4> film_names{
      {FiniteFilm::finite_dynamic, "finite_dynamic"},
      {FiniteFilm::finite_reynolds, "finite_reynolds"}}};
 
+/// Of the largest pressure, where a field is a sum of harmonics.
+constexpr double truncation = 1e-7;
+
 /// A state without dimensions.
 struct Scaled {
   ScaledFilm film;
@@ -166,6 +169,34 @@ FiniteLengthCouette finite_reynolds_couette(const Bearing<double>& bearing, cons
   return result;
 }
 
+FiniteLengthPressure finite_length_pressure_at(FiniteFilm film, const Bearing<double>& bearing,
+                                               const Lubricant<double>& oil, const PolarFilmState<double>& state,
+                                               double theta, double zeta, FilmOnset onset) {
+  const Scaled scaled = without_dimensions(bearing, state);
+  const double pressure = scaled.pressure(bearing, oil);
+  FiniteLengthPressure result;
+  if (pressure == 0) return result;
+  const auto solve = [&]() -> ScaledPressure {
+    const bool inside = std::abs(zeta) < scaled.film.slenderness;
+    if (film == FiniteFilm::finite_reynolds) {
+      return cavitated_film_pressure_at(scaled.film, is_pinned(scaled.film, onset), scaled.mirror * theta, zeta);
+    }
+    constexpr int angles = 180;  // in which the largest is looked for
+    std::vector<double> places = {scaled.mirror * theta};
+    for (int i = 0; i < angles; ++i) places.push_back(2 * std::numbers::pi * i / angles);
+    const std::vector<double> field = smooth_film_pressure(extent_of(film), scaled.film, places,
+                                                           {inside ? zeta : scaled.film.slenderness, 0}, truncation);
+    double largest = std::abs(field[0]);
+    for (std::size_t i = 1; i < field.size(); i += 2) largest = std::max(largest, std::abs(field[i]));
+    return {field[0], largest, 10 * truncation * largest};
+  };
+  const ScaledPressure solved = solve();
+  result.pressure = pressure * solved.value;
+  result.largest = pressure * solved.largest;
+  result.error = pressure * solved.error;
+  return result;
+}
+
 PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bearing, const Lubricant<double>& oil,
                                      const PolarFilmState<double>& state, int angles, int stations, FilmOnset onset) {
   require_between("angles", angles, 3, 10000);
@@ -189,7 +220,6 @@ PressureField finite_length_pressure(FiniteFilm film, const Bearing<double>& bea
   if (film == FiniteFilm::finite_reynolds) {
     field.pressure = cavitated_film_pressure(scaled.film, is_pinned(scaled.film, onset), theta, zeta);
   } else {
-    const double truncation = 1e-7;  // of the largest pressure
     field.pressure = smooth_film_pressure(extent_of(film), scaled.film, theta, zeta, truncation);
   }
   for (double& p : field.pressure) p *= pressure;

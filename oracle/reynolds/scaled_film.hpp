@@ -51,4 +51,11 @@ using ScaledFlow = ScaledResult<1>;
 /// ∬ dθ dζ/H over the part of |ζ| ≤ Λ that carries pressure, over 2Λ.
 using ScaledCouette = ScaledResult<1>;
 
+/// P at a place, and the film's largest.
+struct ScaledPressure {
+  double value = 0;
+  double largest = 0;
+  double error = 0;  ///< bound of the value's error
+};
+
 }  // namespace lubjoint::oracle

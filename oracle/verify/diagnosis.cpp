@@ -130,7 +130,8 @@ class Search {
         precision_(precision),
         failing_(thinned(matcher_.failing(), 200)),
         passing_(thinned(matcher_.passing(), 300)),
-        known_(mistakes_for(judgement.quantities, judgement.law)) {
+        known_(mistakes_for(judgement.quantities, judgement.law)),
+        is_costly_(judgement.law == "finite_reynolds"_law) {
     for (const std::size_t i : thinned(failing_, 24)) few_.push_back(i);
     for (const std::size_t i : thinned(passing_, 12)) few_.push_back(i);
   }
@@ -138,7 +139,9 @@ class Search {
   bool has_failing() const { return failing_.size() >= 2; }
 
   std::vector<Suspicion> result(SearchDepth depth) {
-    for (const Mistake* mistake : known_) consider({mistake});
+    for (const Mistake* mistake : known_) {
+      if (!is_costly_ || passes_few({mistake})) consider({mistake});
+    }
     if (depth >= SearchDepth::pairs && !explained()) {
       for (std::size_t i = 0; i < known_.size(); ++i) {
         for (std::size_t j = i + 1; j < known_.size(); ++j) {
@@ -262,6 +265,7 @@ class Search {
   double precision_;
   std::vector<std::size_t> failing_, passing_, few_;
   Set known_;
+  bool is_costly_;  ///< each state of it is solved for on grids
   std::map<const Mistake*, Set> alike_;
   std::vector<Candidate> candidates_;
 };

@@ -188,8 +188,8 @@ def verify(function: Callable[..., Any], law: str = "auto", quantities: str = "c
                gonthier. finite_full, finite_half, finite_dynamic and finite_reynolds are judged by the solver of Reynolds'
                equation, with the bound that it states; they are not among those that "auto" looks at
     quantities "cartesian", "polar", "wrench", "transition", "extent", "pressure", "dimensionless", "coefficients",
-               "equilibrium", "losses" or "contact"; of a film of finite length "cartesian", "polar", "coefficients",
-               "equilibrium" or "losses"
+               "equilibrium", "losses" or "contact"; of a film of finite length any but "dimensionless" and "contact",
+               and "extent" not of finite_reynolds
     random     random states beside the golden and the designed ones, by default 1000
     seed       of the random states, by default 1
     domain     what the function is meant for: "omega_sum > 0, eccentricity_ratio > 0" or a list of such conditions

@@ -13,7 +13,7 @@
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/verify/report.hpp"
 #include "oracle/verify/states/finite_film.hpp"
-#include "oracle/verify/states/finite_tables.hpp"
+#include "oracle/verify/states/solved_film_states.hpp"
 #include "oracle/verify/verification.hpp"
 
 namespace {
@@ -63,9 +63,9 @@ std::vector<State> asked(const lubjoint_verify_request* request) {
   const lubjoint::ShearExtent shear = lubjoint::shear_extent(request->shear ? request->shear : "film");
   std::vector<State> states;
   if (const auto claim = finite_claim(request)) {
-    states = is_table(kind)
-                 ? finite_table_states(*claim, kind, declared(request), shear, lubjoint::reports::available_cores())
-                 : finite_states(kind, declared(request));
+    states = is_finite_force(kind)
+                 ? finite_states(kind, declared(request))
+                 : solved_film_states(*claim, kind, declared(request), shear, lubjoint::reports::available_cores());
   } else {
     if (request->golden == nullptr) throw std::invalid_argument("golden is a null pointer");
     if (request->law != nullptr) require_law(kind, request->law);
@@ -167,7 +167,7 @@ int lubjoint_verify_judge(const lubjoint_verify_request* request, const double* 
     scale(given, unit);
     const std::string domain = words(declared(request));
     const auto claim = finite_claim(request);
-    if (claim && !is_table(kind)) {
+    if (claim && is_finite_force(kind)) {
       report(verify_finite_film(*claim, kind, std::move(states), std::move(given), tolerance,
                                 lubjoint::reports::available_cores(), domain),
              verdict, text, json);

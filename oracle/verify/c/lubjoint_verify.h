@@ -19,8 +19,8 @@ LUBJOINT_VERIFY_API const char* lubjoint_verify_state_columns(const char* quanti
 LUBJOINT_VERIFY_API const char* lubjoint_verify_answer_columns(const char* quantities);
 
 /* What is asked: the golden states, the designed ones, and `random` others; of a film of finite length (law finite_full,
- * finite_half, finite_dynamic or finite_reynolds; quantities cartesian, polar, coefficients, equilibrium or losses) states
- * of its own, 56 loads or 120 motions, so that golden, random and seed are not read. */
+ * finite_half, finite_dynamic or finite_reynolds; quantities other than dimensionless and contact, and extent not of
+ * finite_reynolds) states of its own, 56 loads or 120 motions, so that golden, random and seed are not read. */
 typedef struct {
   const char* quantities; /* "cartesian", "polar", "coefficients" and so on: what `lubjoint verify --help` lists */
   const char* law;        /* that is claimed; null or "auto": which one is to be found out, of those of no finite length */

@@ -98,7 +98,8 @@ bool differs(Quantities quantities, Law law, const std::vector<State>& states, c
 /// over where mistakes are looked for.
 std::vector<const Mistake*> find_mistakes_for(Quantities quantities, Law law) {
   std::vector<const Mistake*> list;
-  const bool of_film_only = quantities == Quantities::extent || quantities == Quantities::pressure;
+  const bool of_film_only =
+      quantities == Quantities::extent || (quantities == Quantities::pressure && !is_solved_film(law));
   const bool of_few_numbers = quantities == Quantities::dimensionless ||
                               (is_table(quantities) && !is_solved_film(law)) || quantities == Quantities::contact;
   const bool may_be_blind = of_film_only || (facts_of(law).squeeze_only &&

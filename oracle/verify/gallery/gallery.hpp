@@ -41,6 +41,8 @@ std::string gallery_markdown();
 inline bool in_all(Quantities, Law) { return true; }
 inline bool in_plane(Quantities q, Law) { return !is_polar(q); }
 inline bool in_half_films(Quantities, Law law) { return is_half(law); }
+/// Whose terms are those of a formula.
+inline bool in_half_formulas(Quantities, Law law) { return is_half(law) && !is_solved_film(law); }
 
 // The gallery by topic, one file each.
 std::vector<Mistake> motion_mistakes();

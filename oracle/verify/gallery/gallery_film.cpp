@@ -13,10 +13,12 @@ namespace {
 
 bool pinkus_sternlicht(Quantities, Law law) { return law == "pinkus_sternlicht"_law; }
 bool full(Quantities, Law law) { return is_full(law); }
-bool polynomial(Quantities, Law law) { return !is_dynamic(law) && law != "pinkus_sternlicht"_law; }
+bool polynomial(Quantities, Law law) {
+  return !is_dynamic(law) && law != "pinkus_sternlicht"_law && !is_solved_film(law);
+}
 bool short_polynomial(Quantities q, Law law) { return is_short(law) && polynomial(q, law); }
 bool long_polynomial(Quantities q, Law law) { return !is_short(law) && polynomial(q, law); }
-bool long_closed(Quantities, Law law) { return !is_short(law) && !is_dynamic(law); }
+bool long_closed(Quantities, Law law) { return !is_short(law) && !is_dynamic(law) && !is_solved_film(law); }
 
 /// Pinkus and Sternlicht's φ written anew. @param phi  from K, B and the sign of b
 template <class Phi>
@@ -143,12 +145,14 @@ std::vector<Mistake> film_mistakes() {
       {"wedge_on_radial_left_out",
        "The wedge's radial force, which only a cavitated film has, is left out",
        "Pure wedge gives no radial force; the attitude angle is 90° at any load",
-       [](Quantities, Law law) { return is_half(law) || law == "pinkus_sternlicht"_law; },
+       [](Quantities, Law law) {
+         return in_half_formulas(Quantities::cartesian, law) || law == "pinkus_sternlicht"_law;
+       },
        {{Step::terms, [](S& s) { s.radial_wedge = 0; }}}},
       {"squeeze_on_tangential_left_out",
        "The squeeze's tangential force of the half film is left out",
        "Wrong in the tangential force where there is squeeze",
-       in_half_films,
+       in_half_formulas,
        {{Step::terms, [](S& s) { s.tangential_squeeze = 0; }}}},
       {"squeeze_exponent",
        "The power of 1 − ε² below the squeeze term is one too small (3/2 for 5/2, 1/2 for 3/2)",
@@ -173,7 +177,7 @@ std::vector<Mistake> film_mistakes() {
       {"radial_wedge_exponent",
        "The power of 1 − ε² below the wedge's radial force is one too small",
        "Right at the centre, too small as ε → 1",
-       in_half_films,
+       in_half_formulas,
        {{Step::terms, [](S& s) { s.radial_wedge *= s.q(); }}}},
       {"squeeze_on_tangential_without_ratio",
        "The squeeze's tangential force of the half film lacks its factor ε",
@@ -187,17 +191,17 @@ std::vector<Mistake> film_mistakes() {
       {"radial_squeeze_doubled",
        "The squeeze's radial force of the half film is not halved",
        "The radial force of the squeeze is doubled; the rest is right",
-       in_half_films,
+       in_half_formulas,
        {{Step::terms, [](S& s) { s.radial_squeeze *= 2; }}}},
       {"radial_wedge_doubled",
        "The wedge's radial force of the half film is not halved",
        "The radial force of the wedge is doubled; the rest is right",
-       in_half_films,
+       in_half_formulas,
        {{Step::terms, [](S& s) { s.radial_wedge *= 2; }}}},
       {"tangential_wedge_doubled",
        "The wedge's tangential force of the half film is not halved",
        "The tangential force of the wedge is doubled; the rest is right",
-       in_half_films,
+       in_half_formulas,
        {{Step::terms, [](S& s) { s.tangential_wedge *= 2; }}}},
       {"two_plus_ratio_squared_left_out_of_radial",
        "2 + ε² is left out of the denominator of the long film's radial wedge force",
@@ -231,7 +235,9 @@ std::vector<Mistake> film_mistakes() {
       {"wedge_on_radial_sign",
        "The wedge's radial force points outwards",
        "The film draws the journal to the wall; the rest is right",
-       [](Quantities, Law law) { return is_half(law) || law == "pinkus_sternlicht"_law; },
+       [](Quantities, Law law) {
+         return in_half_formulas(Quantities::cartesian, law) || law == "pinkus_sternlicht"_law;
+       },
        {{Step::terms, [](S& s) { s.radial_wedge = -s.radial_wedge; }}}},
       {"two_plus_ratio_squared_for_squeeze",
        "2 + ε² instead of 1 + 2ε² in the short film's squeeze term",

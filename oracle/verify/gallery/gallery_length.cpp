@@ -1,4 +1,4 @@
-// Mistakes in tables of a film of the bearing's real length.
+// Mistakes about a film of the bearing's real length.
 #include <cmath>
 
 #include "oracle/verify/gallery/gallery.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using S = Solution;
 
-bool of_length(Quantities q, Law law) { return is_table(q) && is_solved_film(law); }
+bool of_length(Quantities q, Law law) { return q != Quantities::extent && is_solved_film(law); }
 bool flow_of_length(Quantities q, Law law) { return q == Quantities::losses && is_solved_film(law) && !is_full(law); }
 
 }  // namespace

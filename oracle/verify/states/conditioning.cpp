@@ -1,5 +1,6 @@
 #include "oracle/verify/states/conditioning.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lubjoint/film/every_law.hpp"
@@ -120,29 +121,7 @@ Answer by_differences(const State& state, const Solution& s) {
   return sum;
 }
 
-/// The formula whose losses move with their inputs about as those of a film that a solver knows.
-Law formula_like(Law film) {
-  if (is_full(film)) return "long_full"_law;
-  return is_half(film) ? "long_half"_law : "long_dynamic"_law;
-}
-
-/// Of the losses of a film that a solver knows: a difference of solutions would be their noise. The formula's, as many
-/// times as its costs are larger.
-Answer like_a_formula(const State& state, const Solution& s) {
-  const Solution formula = solve(s.quantities, formula_like(s.law), state);
-  Answer sum = of_table(state, formula);
-  const std::array<Real, 4> sizes = size_of_costs(s), formula_sizes = size_of_costs(formula);
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    if (formula_sizes[k] > 0) sum[k] *= static_cast<double>(sizes[k] / formula_sizes[k]);
-  }
-  return sum;
-}
-
-}  // namespace
-
-Answer input_conditioning(const State& state, const Solution& s) {
-  if (std::isnan(s.answer[0])) return {};
-  if (is_solved_film(s.law) && s.quantities == Quantities::losses) return like_a_formula(state, s);
+Answer of_formula(const State& state, const Solution& s) {
   if (is_table(s.quantities)) return of_table(state, s);
   if (!is_film_force(s.quantities)) return by_differences(state, s);
   const double force = with_film_law<StateFilmLaws>(name_of(s.law), [&]<class FilmLaw>() {
@@ -155,6 +134,44 @@ Answer input_conditioning(const State& state, const Solution& s) {
   const double arms[2] = {size_of(s.arm_bearing) + e, size_of(s.arm_journal)};
   for (std::size_t k = 0; k < 2; ++k) result[2 + k] = arms[k] * (force + 2 * size);
   return result;
+}
+
+/// The formula whose answers move with their inputs about as those of a film that a solver knows.
+Law formula_like(Law film) {
+  if (is_full(film)) return "long_full"_law;
+  return is_half(film) ? "long_half"_law : "long_dynamic"_law;
+}
+
+/// What the columns are as large as: of losses each for itself; of pressures the film's largest, of forces the film's.
+std::array<Real, most_answers> film_sizes(const Solution& s) {
+  std::array<Real, most_answers> sizes;
+  if (s.quantities == Quantities::losses) {
+    std::ranges::copy(size_of_costs(s), sizes.begin());
+  } else {
+    sizes.fill(s.quantities == Quantities::pressure ? s.pressure_terms : std::hypot(s.radial, s.tangential));
+  }
+  return sizes;
+}
+
+/// Of a film that a solver knows: a difference of solutions would be their noise. The formula's, as many times as its
+/// answers are larger.
+Answer like_a_formula(const State& state, const Solution& s) {
+  const Solution formula = solve(s.quantities, formula_like(s.law), state);
+  Answer sum = of_formula(state, formula);
+  const std::array<Real, most_answers> sizes = film_sizes(s), formula_sizes = film_sizes(formula);
+  for (std::size_t k = 0; k < answer_columns(s.quantities).size(); ++k) {
+    if (formula_sizes[k] > 0) sum[k] *= static_cast<double>(sizes[k] / formula_sizes[k]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Answer input_conditioning(const State& state, const Solution& s) {
+  if (std::isnan(s.answer[0])) return {};
+  // A load's is by differences of tables, which are smooth; a film's ends are the formula's.
+  const bool is_solved = !is_of_load(s.quantities) && s.quantities != Quantities::extent && is_solved_film(s.law);
+  return is_solved ? like_a_formula(state, s) : of_formula(state, s);
 }
 
 }  // namespace lubjoint::verify

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "oracle/verify/states/solution.hpp"
+#include "oracle/verify/states/solved_films.hpp"
 
 namespace lubjoint::verify {
 
@@ -82,6 +83,17 @@ void find_pressure(Solution& s) {
     s.pressure = std::numeric_limits<Real>::quiet_NaN();
     return;
   }
+  if (is_solved_film(s.law)) {
+    // Where a half film that is not mirrored pulls on 0…π, its pressure is linear in a and b.
+    const Real sign = is_half(s.law) && !s.mirrors_half && s.a < 0 ? -1 : 1;
+    const SolvedPressure p =
+        s.films->pressure(s.law, s.shape, s.ratio, sign * s.a, sign * s.b, s.theta, s.z / s.radius);
+    const Real unit = s.scale / (s.length * s.radius);  // S/(LR) = μ(R/c)²
+    s.pressure = (s.pulls ? -1 : 1) * sign * unit * p.pressure;
+    s.pressure_terms = unit * p.largest;
+    s.pressure_error = p.error;
+    return;
+  }
   const Real past_start = s.theta - s.theta_s;
   const Real inside = past_start - 2 * half_turn * std::floor(past_start / (2 * half_turn));  // in [0, 2π)
   const bool in_film = is_full(s.law) || inside <= s.theta_e - s.theta_s;
@@ -98,7 +110,8 @@ void find_pressure(Solution& s) {
     const LongField here = long_field(s, theta);
     Real field = here.wedge + here.squeeze;
     Real terms = std::abs(here.wedge) + std::abs(here.squeeze);
-    if (s.law == "long_half"_law || s.law == "long_dynamic"_law || s.law == "squeeze_long"_law) {  // zero at both ends: a flow around is added
+    if (s.law == "long_half"_law || s.law == "long_dynamic"_law ||
+        s.law == "squeeze_long"_law) {  // zero at both ends: a flow around is added
       const LongField from = long_field(s, s.theta_s), to = long_field(s, s.theta_e);
       const Real start = from.wedge + from.squeeze, end = to.wedge + to.squeeze;
       const Real flow = (flow_integral(s, theta) - flow_integral(s, s.theta_s)) /

@@ -126,9 +126,11 @@ void find_terms(Solution& s) {
     return;
   }
   if (is_solved_film(s.law)) {
-    s.moving = s.films->moving(s.law, s.shape, s.ratio, s.a, s.b);
-    s.radial_wedge = s.moving.radial;
-    s.tangential_wedge = s.moving.tangential;
+    // Where a half film that is not mirrored pulls on 0…π, its pressure is linear in a and b.
+    const Real sign = is_half(s.law) && !s.mirrors_half && s.a < 0 ? -1 : 1;
+    s.moving = s.films->force(s.law, s.shape, s.ratio, sign * s.a, sign * s.b);
+    s.radial_wedge = sign * s.moving.radial;
+    s.tangential_wedge = sign * s.moving.tangential;
     return;
   }
   formula_of_law[s.law.place].find(s);

@@ -6,14 +6,11 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <stdexcept>
 #include <tuple>
 
 #include "oracle/files/parallel.hpp"
 #include "oracle/reynolds/film_onset.hpp"
 #include "oracle/reynolds/finite_force.hpp"
-#include "oracle/verify/states/finite_film.hpp"
-#include "oracle/verify/states/steady_slopes.hpp"
 
 namespace lubjoint::verify {
 
@@ -205,40 +202,90 @@ class BySolver final : public SolvedFilms {
     return table(film, shape).errors(ratio);
   }
 
-  MovingFilm moving(Law law, Real shape, Real ratio, Real a, Real b) const override {
-    if (a == 0 && b == 0) return {};
-    const auto key = std::tuple(law.place, static_cast<double>(shape), static_cast<double>(ratio),
-                                static_cast<double>(a), static_cast<double>(b));
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto found = moving_.find(key); found != moving_.end()) return found->second;
-    }
-    const MovingFilm film =
-        solved(film_of(law), static_cast<double>(shape),
-               PolarFilmState<double>(static_cast<double>(ratio), static_cast<double>(a), static_cast<double>(b)));
-    const std::lock_guard lock(mutex_);
-    return moving_.emplace(key, film).first->second;
+  SolvedForce force(Law law, Real shape, Real ratio, Real a, Real b) const override {
+    const UnitFilm unit(law, shape, ratio, a, b);
+    if (unit.rate == 0) return {};
+    SolvedForce force = once(forces_, unit.key(), [&] {
+      const Solver solver(film_of(law), onset_);
+      const oracle::FiniteForce solved =
+          oracle::finite_force(solver.film, unit.shape, unit.state().in_own_frame(), solver.options);
+      return SolvedForce{solved.ratio.x(), solved.ratio.y(), solved.relative_error() + UnitFilm::rounding};
+    });
+    force.radial *= unit.rate;
+    force.tangential *= unit.rate;
+    return force;
+  }
+
+  SolvedCosts costs(Law law, Real shape, Real ratio, Real a, Real b) const override {
+    const UnitFilm unit(law, shape, ratio, a, b);
+    if (unit.rate == 0) return {};
+    SolvedCosts costs = once(costs_, unit.key(), [&] {
+      Solver solver(film_of(law), onset_);
+      const FilmState<double> state = unit.state().in_own_frame();
+      if (solver.film != FiniteFilm::finite_reynolds) solver.options.relative_tolerance = 1e-9;
+      const oracle::FiniteFlow flow = oracle::finite_side_flow(solver.film, unit.shape, state, solver.options);
+      SolvedCosts solved;
+      solved.side_flow = flow.ratio;
+      solved.flow_error = flow.error / std::hypot(unit.a, 2 * unit.b) + UnitFilm::rounding;
+      if (solver.film == FiniteFilm::finite_reynolds) {
+        const oracle::FiniteCouette couette = oracle::finite_couette_integral(unit.shape, state, 1e-4);
+        solved.couette_integral = couette.integral;
+        solved.couette_error = couette.error / couette.integral + UnitFilm::rounding;
+      }
+      return solved;
+    });
+    costs.side_flow *= unit.rate;
+    return costs;
+  }
+
+  SolvedPressure pressure(Law law, Real shape, Real ratio, Real a, Real b, Real theta, Real zeta) const override {
+    const UnitFilm unit(law, shape, ratio, a, b);
+    if (unit.rate == 0) return {};
+    const auto key = std::tuple_cat(unit.key(), std::tuple(static_cast<double>(theta), UnitFilm::rounded(zeta)));
+    SolvedPressure pressure = once(pressures_, key, [&] {
+      const oracle::FinitePressure solved = oracle::finite_pressure(
+          film_of(law), unit.shape, unit.state(), static_cast<double>(theta), UnitFilm::rounded(zeta), onset_);
+      return SolvedPressure{solved.ratio, solved.largest,
+                            (solved.largest > 0 ? solved.error / solved.largest : 0) + UnitFilm::rounding};
+    });
+    pressure.pressure *= unit.rate;
+    pressure.largest *= unit.rate;
+    return pressure;
   }
 
  private:
-  static MovingFilm solved(FiniteFilm film, double shape, const PolarFilmState<double>& polar) {
-    Solver solver(film, FilmOnset::free);
-    const FilmState<double> state = polar.in_own_frame();
-    const oracle::FiniteForce force = oracle::finite_force(film, shape, state, solver.options);
-    if (film != FiniteFilm::finite_reynolds) solver.options.relative_tolerance = 1e-9;
-    const oracle::FiniteFlow flow = oracle::finite_side_flow(film, shape, state, solver.options);
-    MovingFilm result;
-    result.radial = force.ratio.x();
-    result.tangential = force.ratio.y();
-    result.side_flow = flow.ratio;
-    result.force_error = force.relative_error();
-    result.flow_error = flow.error / std::hypot(polar.slip_rate, 2 * polar.squeeze_rate);
-    if (film == FiniteFilm::finite_reynolds) {
-      const oracle::FiniteCouette couette = oracle::finite_couette_integral(shape, state, 1e-4);
-      result.couette_integral = couette.integral;
-      result.couette_error = couette.error / couette.integral;
+  /// A state at the rate one, to 36 digits of two: what a mistake multiplies with is the same film.
+  struct UnitFilm {
+    static constexpr double rounding = 1e-9;  ///< what that moves of a force or a flow, with room
+    static double rounded(Real x) { return static_cast<double>(std::round(x * 0x1p36L) * 0x1p-36L); }
+
+    std::size_t law;
+    double shape, ratio;
+    Real rate;    ///< the larger of |a| and |b|
+    double a, b;  ///< over it
+
+    UnitFilm(Law film, Real of_shape, Real of_ratio, Real slip, Real squeeze)
+        : law(film.place),
+          shape(rounded(of_shape)),
+          ratio(rounded(of_ratio)),
+          rate(std::max(std::abs(slip), std::abs(squeeze))),
+          a(rate > 0 ? rounded(slip / rate) : 0),
+          b(rate > 0 ? rounded(squeeze / rate) : 0) {}
+
+    PolarFilmState<double> state() const { return PolarFilmState<double>(ratio, a, b); }
+    std::tuple<std::size_t, double, double, double, double> key() const { return {law, shape, ratio, a, b}; }
+  };
+
+  /// What was found, or is found and kept.
+  template <class Map, class Solve>
+  typename Map::mapped_type once(Map& kept, const typename Map::key_type& key, const Solve& solve) const {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = kept.find(key); found != kept.end()) return found->second;
     }
-    return result;
+    const typename Map::mapped_type solved = solve();
+    const std::lock_guard lock(mutex_);
+    return kept.emplace(key, solved).first->second;
   }
 
   const RestTable& table(Law law, Real shape) const {
@@ -254,36 +301,11 @@ class BySolver final : public SolvedFilms {
   unsigned threads_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<std::size_t, long>, std::unique_ptr<RestTable>> tables_;
-  mutable std::map<std::tuple<std::size_t, double, double, double, double>, MovingFilm> moving_;
+  using Film = std::tuple<std::size_t, double, double, double, double>;
+  mutable std::map<Film, SolvedForce> forces_;
+  mutable std::map<Film, SolvedCosts> costs_;
+  mutable std::map<std::tuple<std::size_t, double, double, double, double, double, double>, SolvedPressure> pressures_;
 };
-
-/// A journal that carries a load, at about this ε: short and long half films as springs in series.
-State load_at(double shape, double ratio, double spin, std::size_t place) {
-  State s;
-  s.radius = 0.01 * (1 + static_cast<double>(place % 4));
-  s.length = 2 * s.radius * shape;
-  s.clearance = s.radius / 512;
-  s.viscosity = 0.02 + 0.01 * static_cast<double>(place % 5);
-  s.omega = spin * (1 + 0.1 * static_cast<double>(place % 7));
-  const auto over_scale = [&](Law law) { return published_slopes(law, ratio, 1 - ratio).size(); };
-  const Real slenderness = 2 * static_cast<Real>(shape);
-  const Real load =
-      1 / (1 / (over_scale("short_half"_law) * slenderness * slenderness) + 1 / over_scale("long_half"_law));
-  const double scale = force_scale(BearingLimit::long_bearing, Bearing<double>(s.length, s.radius, s.clearance),
-                                   Lubricant<double>(s.viscosity));
-  s.load = static_cast<double>(load) * scale * std::abs(s.omega);
-  return s;
-}
-
-std::vector<State> loads() {
-  std::vector<State> states;
-  for (const double shape : finite_shapes) {
-    for (const double ratio : {0.1, 0.25, 0.4, 0.55, 0.7, 0.8, 0.9}) {
-      for (const double spin : {200.0, -300.0}) states.push_back(load_at(shape, ratio, spin, states.size()));
-    }
-  }
-  return states;
-}
 
 }  // namespace
 
@@ -294,36 +316,6 @@ std::shared_ptr<const SolvedFilms> solved_films(FilmOnset onset, unsigned thread
   std::shared_ptr<const SolvedFilms>& films = made[onset];
   if (!films) films = std::make_shared<BySolver>(onset, threads);
   return films;
-}
-
-std::vector<State> finite_table_states(const FiniteClaim& claim, Quantities quantities, const Conjunction& domain,
-                                       ShearExtent shear, unsigned threads) {
-  if (!is_table(quantities)) {
-    throw std::invalid_argument("the quantities " + std::string(name_of(quantities)) +
-                                " are no table; allowed are coefficients, equilibrium and losses");
-  }
-  if (claim.onset == FilmOnset::maximum_film && quantities != Quantities::equilibrium) {
-    throw std::invalid_argument("an onset at the maximum film is pinned in steady rotation alone, and " +
-                                std::string(name_of(quantities)) +
-                                " ask for films in squeeze; allowed with it are cartesian, polar and equilibrium");
-  }
-  std::vector<State> states;
-  if (is_of_load(quantities)) {
-    states = loads();
-    std::erase_if(states, [&domain](const State& state) { return !holds(domain, state); });
-    if (states.empty()) {
-      throw std::invalid_argument("no state of a film of finite length has " + words(domain) +
-                                  "; allowed is a domain that holds one of them");
-    }
-  } else {
-    states = finite_states(Quantities::cartesian, domain);
-  }
-  const auto films = solved_films(claim.onset, threads);
-  for (State& state : states) {
-    state.films = films;
-    state.shear = shear;
-  }
-  return states;
 }
 
 }  // namespace lubjoint::verify

@@ -126,6 +126,12 @@ Reference table_reference(Quantities quantities, Law law, const State& state) {
   return result;
 }
 
+/// Of what a solver says of the film: of a pressure, over that film's largest; else of the film's share of a force [N].
+double solver_error(const Solution& s) {
+  if (s.quantities == Quantities::pressure) return s.pressure_error * static_cast<double>(s.pressure_terms);
+  return s.moving.error * static_cast<double>((1 - s.of_dry) * std::hypot(s.radial, s.tangential));
+}
+
 /// Certified numbers stand above ours.
 void use_golden(const State& state, Law law, Reference& result) {
   if (!state.golden) return;
@@ -162,6 +168,7 @@ Reference reference(Quantities quantities, Law law, const State& state) {
     result.size[k] = arm * (quantities == Quantities::pressure ? terms : force);
     result.sensitivity[k] = 8 * inputs[k] + 32 * result.size[k];
     result.published[k] = 16 * arm * terms;
+    if (is_solved_film(law)) result.error[k] = arm * solver_error(solution);
   }
   return result;
 }

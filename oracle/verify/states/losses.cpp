@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "oracle/verify/states/solution.hpp"
+#include "oracle/verify/states/solved_films.hpp"
 
 namespace lubjoint::verify {
 
@@ -14,13 +15,13 @@ Real couette_integral(const Solution& s) {
   if (s.costs.shear == ShearExtent::flooded || is_full(s.law)) return 2 * half_turn / root;
   if (s.costs.shear == ShearExtent::striated) return half_turn / root * (1 + 1 / (1 + s.ratio));
   if (is_half(s.law) || (s.a == 0 && s.b == 0)) return half_turn / root;
-  if (s.law == "finite_reynolds"_law) return s.moving.couette_integral;
+  if (s.law == "finite_reynolds"_law) return s.moving_costs.couette_integral;
   return 2 / root * std::atan2(root, -s.ratio * 2 * s.b / std::hypot(s.a, 2 * s.b));
 }
 
 /// ∫(a sinθ − 2b cosθ)dθ/2 over the film, which a short bearing loses; of a real length what leaves by its ends.
 Real flow_ratio(const Solution& s) {
-  if (is_solved_film(s.law)) return s.moving.side_flow;
+  if (is_solved_film(s.law)) return s.moving_costs.side_flow;
   if (is_full(s.law)) return 0;
   return is_half(s.law) ? std::abs(s.a) : std::hypot(s.a, 2 * s.b);
 }
@@ -29,6 +30,7 @@ Real flow_ratio(const Solution& s) {
 
 void find_costs(Solution& s) {
   Costs& c = s.costs;
+  if (is_solved_film(s.law)) s.moving_costs = s.films->costs(s.law, s.shape, s.ratio, s.a, s.b);
   c.relative_spin = s.omega_journal - s.omega_bearing;
   c.couette_integral = couette_integral(s);
   c.couette_rate = s.viscosity * s.length * s.radius * s.radius * (s.radius / s.film_clearance) * c.couette_integral;

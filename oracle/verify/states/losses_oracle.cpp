@@ -109,12 +109,12 @@ std::array<double, most_answers> losses_quadrature_error(const Solution& s) {
   const auto error = [&](Real size) { return static_cast<double>(share * size); };
   std::array<double, most_answers> all = {error(torque), error(torque), error(power), error(flow)};
   if (!is_solved_film(s.law)) return all;
-  const double of_couette = s.moving.couette_error * static_cast<double>(std::abs(s.costs.couette));
-  const double of_force = s.moving.force_error * static_cast<double>(moment);
+  const double of_couette = s.moving_costs.couette_error * static_cast<double>(std::abs(s.costs.couette));
+  const double of_force = s.moving.error * static_cast<double>(moment);
   for (const std::size_t torque_column : {0, 1}) all[torque_column] += of_couette + of_force / 2;
   all[2] +=
       of_couette * static_cast<double>(std::abs(s.costs.relative_spin)) + of_force * static_cast<double>(rate) / 2;
-  all[3] += s.moving.flow_error * static_cast<double>(flow);
+  all[3] += s.moving_costs.flow_error * static_cast<double>(flow);
   return all;
 }
 
@@ -127,7 +127,7 @@ std::array<Real, 4> losses_by_quadrature(const Solution& s) {
   const Real spin = s.omega_journal - s.omega_bearing;
   const bool bounds_are_free = s.law == "finite_reynolds"_law && s.costs.shear == ShearExtent::film;
   const bool at_rest = s.a == 0 && s.b == 0;
-  const Real over_thickness = bounds_are_free && !at_rest ? s.moving.couette_integral : sheared(s, film, ends);
+  const Real over_thickness = bounds_are_free && !at_rest ? s.moving_costs.couette_integral : sheared(s, film, ends);
   const Real couette = mu * spin * r * r * r * l / c * over_thickness;
   Real wall = 0, dissipated = 0;
   if (s.law == "pinkus_sternlicht"_law || is_solved_film(s.law)) {  // e × F and F·u of the force as it is
@@ -146,7 +146,7 @@ std::array<Real, 4> losses_by_quadrature(const Solution& s) {
   }
   Real flow = nan;
   if (is_solved_film(s.law)) {
-    flow = c * r * l * s.moving.side_flow;
+    flow = c * r * l * s.moving_costs.side_flow;
   } else if (is_short(s.law)) {
     const Real source = sum(film, [&](const FilmPlace& at) { return s.a * at.sine - 2 * s.b * at.cosine; });
     flow = c * r * l / 2 * (at_rest ? 0 : source);

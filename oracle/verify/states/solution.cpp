@@ -210,7 +210,10 @@ Solution solve(Quantities quantities, Law law, const State& state, std::span<con
   if (facts_of(s.law).squeeze_only) s.a = 0;
   if (quantities == Quantities::extent || quantities == Quantities::pressure) {
     find_extent(s);
-    if (quantities == Quantities::pressure) find_pressure(s);
+    if (quantities == Quantities::pressure) {
+      if (is_solved_film(s.law)) find_scale();
+      find_pressure(s);
+    }
     s.answer = {quantities == Quantities::extent ? s.theta_s : s.pressure,
                 quantities == Quantities::extent ? s.theta_e : 0, 0, 0};
     after(Step::answer);

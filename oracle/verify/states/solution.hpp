@@ -45,7 +45,7 @@ inline constexpr std::array<LawFacts, 4> contact_law_facts = [] {
 /// Laws that are formulas, and how many.
 inline constexpr std::size_t every_law_count = law_count + contact_law_facts.size();
 
-/// After them, the films of the bearing's real length, which a solver knows (SolvedFilms): of their tables alone.
+/// After them, the films of the bearing's real length, which a solver knows (SolvedFilms).
 inline constexpr auto& solved_film_facts = facts_of_laws<CompiledLaws>;
 
 /// @throws std::invalid_argument that lists the laws of films there are
@@ -118,14 +118,25 @@ struct Costs {
   Real side_flow = 0;         ///< out of both sides, net; NaN for a long bearing, which has none [m³/s]
 };
 
-/// What a solver says of a moving film of the bearing's real length, over S = μLR³/c² and cRL.
-struct MovingFilm {
+/// What a solver says of the force of a moving film of the bearing's real length, over S = μLR³/c².
+struct SolvedForce {
   Real radial = 0, tangential = 0;  ///< F/S [1/s]
-  Real side_flow = 0;               ///< Q/(cRL) [1/s]
-  Real couette_integral = 0;        ///< I₁ of finite_reynolds; the other films' is a closed form [-]
-  double force_error = 0;           ///< bound of the force's error over |F|
-  double flow_error = 0;            ///< bound of the flow's over 2|u|
-  double couette_error = 0;         ///< bound of I₁'s over itself
+  double error = 0;                 ///< bound of the error over |F|
+};
+
+/// What a solver says of such a film's flow and shear.
+struct SolvedCosts {
+  Real side_flow = 0;         ///< Q/(cRL) [1/s]
+  Real couette_integral = 0;  ///< I₁ of finite_reynolds; the other films' is a closed form [-]
+  double flow_error = 0;      ///< bound of the flow's over 2|u|
+  double couette_error = 0;   ///< bound of I₁'s over itself
+};
+
+/// What a solver says of such a film's pressure at a place, over μ(R/c)².
+struct SolvedPressure {
+  Real pressure = 0;  ///< [1/s]
+  Real largest = 0;   ///< of the whole film [1/s]
+  double error = 0;   ///< bound of the error over the largest
 };
 
 /// Numbers on the way from a state to its answer.
@@ -147,7 +158,8 @@ struct Solution {
   // Of a film that a solver knows.
   const SolvedFilms* films = nullptr;
   Real shape = 0;  ///< L/D
-  MovingFilm moving;
+  SolvedForce moving;
+  SolvedCosts moving_costs;
 
   Plane r{1, 0}, t{0, 1};
   Real ratio = 0;          ///< ε
@@ -168,9 +180,10 @@ struct Solution {
   Real theta = 0, z = 0;
   Real theta_s = 0, theta_e = 0;
   Real pressure = 0;
-  Real pressure_terms = 0;  ///< sum of the magnitudes that the pressure is made of
-  Rest rest;                ///< of a load
-  Costs costs;              ///< of losses
+  Real pressure_terms = 0;    ///< sum of the magnitudes that the pressure is made of; the film's largest, of a solver's
+  double pressure_error = 0;  ///< bound of the solver's error over the film's largest
+  Rest rest;                  ///< of a load
+  Costs costs;                ///< of losses
   std::array<Real, most_answers> answer{};
 
   Real q() const { return ratio_gap * (1 + ratio); }  ///< 1 − ε²

@@ -1,5 +1,4 @@
-/// What the tables of a film of the bearing's real length are judged by: its forces, flow and shear, as a solver has
-/// them.
+/// What a film of the bearing's real length is judged by: its forces, flow, shear and pressure, as a solver has them.
 #pragma once
 
 #include "oracle/verify/states/solution.hpp"
@@ -23,8 +22,12 @@ class SolvedFilms {
   /// say no more than which way it goes.
   virtual SteadySlopes slopes(Law film, Real shape, Real ratio) const = 0;
   virtual RestErrors errors_at_rest(Law film, Real shape, Real ratio) const = 0;
-  /// Force, flow and shear. @param a, b  slip and squeeze rate [1/s]
-  virtual MovingFilm moving(Law film, Real shape, Real ratio, Real a, Real b) const = 0;
+  /// @param a, b  slip and squeeze rate [1/s]
+  virtual SolvedForce force(Law film, Real shape, Real ratio, Real a, Real b) const = 0;
+  /// Flow and shear.
+  virtual SolvedCosts costs(Law film, Real shape, Real ratio, Real a, Real b) const = 0;
+  /// @param theta  from the maximum film [rad]; @param zeta  z/R. Zero outside of the film, and of the bearing.
+  virtual SolvedPressure pressure(Law film, Real shape, Real ratio, Real a, Real b, Real theta, Real zeta) const = 0;
 
   static constexpr double least_ratio = 0.002;
   static constexpr double largest_ratio = 0.975;
