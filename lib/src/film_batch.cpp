@@ -54,11 +54,9 @@ namespace {
 
 using detail::ForceBlock;
 
-/// The dynamic films, and those of squeeze alone that open and close, have a branch on how the film opens, an
-/// arctangent and a series.
+/// Films of squeeze alone that open and close have a branch on how the film opens.
 template <class Law>
-constexpr bool is_straight = !std::is_same_v<Law, ShortDynamic> && !std::is_same_v<Law, LongDynamic> &&
-                             !std::is_same_v<Law, SqueezeShort> && !std::is_same_v<Law, SqueezeLong>;
+constexpr bool is_straight = !std::is_same_v<Law, SqueezeShort> && !std::is_same_v<Law, SqueezeLong>;
 
 #ifdef LUBJOINT_HAS_AVX2
 template <FilmLaw Law, class Rows>

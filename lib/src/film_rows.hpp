@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "lubjoint/film/batch.hpp"
+#include "lubjoint/film/dynamic_moments.hpp"
 #include "lubjoint/film/law.hpp"
 
 namespace lubjoint::detail {
@@ -140,12 +141,18 @@ bool is_ordinary(const PolarFilmState<double>& state) {
   }
 }
 
+/// A law of two forms, one of which is selected.
+template <class Law>
+concept DynamicLaw = requires(const DynamicFrame<double>& frame) { Law::narrow(frame); };
+
 /// F/S of an ordinary state: no branch on where it lies.
 template <FilmLaw Law>
 Vector2<double> quick_ratio(const FilmState<double>& film) {
   if constexpr (PolarLaw<Law>) {
     const PolarView<double> view = polar_view_along(direction_in_range(film.eccentricity), film);
     return polar_law_in_plane<Law>(view, side_of(film));
+  } else if constexpr (DynamicLaw<Law>) {
+    return selected_resistance_of<Law>(film);
   } else {
     return Law::force_ratio(film);
   }
@@ -157,7 +164,7 @@ Vector2<double> quick_ratio(const PolarFilmState<double>& state) {
     const PolarForce<double> ratio = Law::force_ratio(state, side_of(state));
     return Vector2<double>(ratio.radial, ratio.tangential);
   } else {
-    return Law::force_ratio(state.in_own_frame());
+    return quick_ratio<Law>(state.in_own_frame());
   }
 }
 

@@ -12,14 +12,22 @@
 ///     E = (1/N) ∫ (e₁ + N cosχ)(N + e₁ cosχ)  = 3e₁δ + √q (2q + 3e₁²)/N²
 ///     W = ∫ (e₁ + N cosχ)² dχ                 = (q + 3e₁²)δ + 3e₁√q
 /// For e₁ ≥ 0 (a film that closes) all terms are positive. For e₁ < 0 they cancel as δ → 0: with m = −e₁,
-/// y = sin²δ = q/N² and δ = sinδ cosδ (1 + 2y/3 + y²ρ), ρ(y) = (8/15) ₂F₁(1, 3; 7/2; y), the leading terms drop out and
+/// y = sin²δ = q/N² and δ = sinδ cosδ (1 + 2y/3 + y²ρ), ρ(y) = (8/15) ₂F₁(1, 3; 7/2; y) (arc_series.hpp), the leading
+/// terms drop out and
 ///     V = σ y (2/3 + yρ),  A = σ y² ((3 − y)ρ − 2/3),  E = σ y² (2N²/m − 3mρ),  W = (m√q) y² ((3 − 2y)ρ − 4/3),
 /// σ = sinδ cosδ = m√q/N²: the powers of q that made them small stand in front.
 #pragma once
 
+#include "lubjoint/film/arc_series.hpp"
 #include "lubjoint/film/film_state.hpp"
 
 namespace lubjoint::detail {
+
+/// A force over −|u|, along û and û⊥.
+template <class T>
+struct FrameForce {
+  T along, across;
+};
 
 template <class T>
 struct DynamicFrame {
@@ -41,33 +49,35 @@ struct DynamicFrame {
         y(film.q / n2) {}
 
   /// True where the closed forms would lose more than about two digits (factor 11 (1 − y)²/y² at most 40).
-  bool opens_narrowly() const { return value_of(e1) < 0 && value_of(y) < RealOf<T>(0.35); }
+  bool opens_narrowly() const { return (value_of(e1) < 0) & (value_of(y) < RealOf<T>(0.35)); }
 
   /// The force with components along û and û⊥ given over −|u|.
-  Vector2<T> resistance(const T& along_u, const T& across_u) const {
-    return Vector2<T>(T(-speed * (along_u * along.x() + across_u * across.x())),
-                      T(-speed * (along_u * along.y() + across_u * across.y())));
+  Vector2<T> resistance(const FrameForce<T>& f) const {
+    return Vector2<T>(T(-speed * (f.along * along.x() + f.across * across.x())),
+                      T(-speed * (f.along * along.y() + f.across * across.y())));
   }
 };
 
-/// ρ(y) = (δ/(sinδ cosδ) − 1 − 2y/3)/y², by its series of positive terms; 0 ≤ y < 0.35 (35 terms in double).
-template <class T>
-T arc_remainder(const T& y) {
-  using R = RealOf<T>;
-  T sum = T(1);
-  T term = T(1);
-  const R negligible = std::numeric_limits<R>::epsilon() / 4;
-  for (int n = 0; value_of(term) > negligible * value_of(sum); ++n) {
-    term = term * y * (R(2 * n + 6) / R(2 * n + 7));
-    sum = sum + term;
-  }
-  return T(R(8) / R(15) * sum);
+/// F/S of a law that has two forms: for films that open narrowly, and for others.
+template <class Law, class T>
+Vector2<T> resistance_of(const FilmState<T>& film) {
+  const DynamicFrame<T> frame(film);
+  return frame.resistance(frame.opens_narrowly() ? Law::narrow(frame) : Law::wide(frame, film.q));
+}
+
+/// The same with both formed and one selected: no branch, and the same bits.
+template <class Law>
+Vector2<double> selected_resistance_of(const FilmState<double>& film) {
+  const DynamicFrame<double> frame(film);
+  const FrameForce<double> narrow = Law::narrow(frame), wide = Law::wide(frame, film.q);
+  const bool is_narrow = frame.opens_narrowly();
+  return frame.resistance({is_narrow ? narrow.along : wide.along, is_narrow ? narrow.across : wide.across});
 }
 
 /// δ, half the length of the film in Sommerfeld's angle.
 template <class T>
 T half_length(const DynamicFrame<T>& frame, const T& root_q) {
-  return polar_angle(root_q, T(-frame.e1));
+  return angle_above(root_q, T(-frame.e1));
 }
 
 }  // namespace lubjoint::detail

@@ -22,21 +22,30 @@ struct LongDynamic {
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
+    return detail::resistance_of<LongDynamic>(film);
+  }
+
+  /// Its parts in the film's own frame, where the film opens narrowly.
+  template <class T>
+  static detail::FrameForce<T> narrow(const detail::DynamicFrame<T>& frame) {
+    const T& e2 = frame.e2;
+    const T& n2 = frame.n2;
+    const T rho = detail::arc_remainder(frame.y);
+    const T m = -frame.e1;
+    const T v = RealOf<T>(2) / 3 + frame.y * rho;
+    const T a = (3 - frame.y) * rho - RealOf<T>(2) / 3;
+    const T factor = 12 * v / (n2 * (a + e2 * e2 * v));
+    const T across = e2 * (2 * n2 - 3 * m * m * rho) / n2;
+    return {T(factor * m * a), T(factor * across)};
+  }
+
+  /// And elsewhere.
+  template <class T>
+  static detail::FrameForce<T> wide(const detail::DynamicFrame<T>& frame, const T& q) {
     using std::sqrt;
-    const detail::DynamicFrame<T> frame(film);
     const T& e1 = frame.e1;
     const T& e2 = frame.e2;
     const T& n2 = frame.n2;
-    const T& q = film.q;
-    if (frame.opens_narrowly()) {
-      const T rho = detail::arc_remainder(frame.y);
-      const T m = -e1;
-      const T v = RealOf<T>(2) / 3 + frame.y * rho;
-      const T a = (3 - frame.y) * rho - RealOf<T>(2) / 3;
-      const T factor = 12 * v / (n2 * (a + e2 * e2 * v));
-      const T across = e2 * (2 * n2 - 3 * m * m * rho) / n2;
-      return frame.resistance(T(factor * m * a), T(factor * across));
-    }
     const T root = sqrt(q);
     const T delta = detail::half_length(frame, root);
     const T squares = 3 * e1 * e1;
@@ -44,7 +53,7 @@ struct LongDynamic {
     const T a = ((2 * q + squares) * delta + e1 * root * (4 * q + squares) / n2) / n2;
     const T e = 3 * e1 * delta + root * (2 * q + squares) / n2;
     const T factor = 12 * v / (q * root * (a + frame.y * e2 * e2 * v));
-    return frame.resistance(T(factor * n2 * a), T(factor * e2 * e));
+    return {T(factor * n2 * a), T(factor * e2 * e)};
   }
 };
 

@@ -29,11 +29,12 @@ struct LongHalf {
     const T& q = state.q;
     const T root = sqrt(q);
     const T d = 2 + epsilon * epsilon;
-    const T dq = d * q;
     const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
-    const T squeeze = pi<T>() - 16 / (pi<T>() * d);
-    const T radial = -(12 * film_side * (epsilon * a) / dq + 6 * b * squeeze / (q * root));
-    const T tangential = 6 * pi<T>() * a / (d * root) + 24 * film_side * (epsilon * b) / dq;
+    const T squeeze = pi<T>() * d - 16 / pi<T>();
+    const T over = 6 / (d * q * root);  // the one division; no product of a rate and q, which might leave the range
+    const T sided = film_side * (over * root);
+    const T radial = -(sided * (2 * epsilon * a) + over * (b * squeeze));
+    const T tangential = over * q * (pi<T>() * a) + sided * (4 * epsilon * b);
     return {radial, tangential};
   }
 };

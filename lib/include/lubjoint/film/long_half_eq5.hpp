@@ -31,8 +31,12 @@ struct LongHalfEq5 {
     const T root = sqrt(q);
     const T d = 2 + epsilon * epsilon;
     const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
-    const T radial = -(12 * film_side * (epsilon * a) / (d * q) + 6 * pi<T>() * b / (q * root));
-    const T tangential = 6 * pi<T>() * a / (d * root) + 24 * film_side * b / ((1 + epsilon) * q);
+    const T widest = 1 + epsilon;
+    const T over = 6 / (d * q * root * widest);  // the one division; no product of a rate and q
+    const T wide = over * widest;
+    const T sided = film_side * root;
+    const T radial = -(wide * sided * (2 * epsilon * a) + wide * d * (pi<T>() * b));
+    const T tangential = wide * q * (pi<T>() * a) + over * d * sided * (4 * b);
     return {radial, tangential};
   }
 };

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lubjoint/film/arc_series.hpp"
 #include "lubjoint/film/compiled_law.hpp"
 #include "lubjoint/film/shaped_law.hpp"
 #include "lubjoint/film/shear_extent.hpp"
@@ -54,23 +55,6 @@ requires AnyFilmLaw<Law> || CompiledLaw<Law> ShearedGap sheared_gap(ShearExtent 
   if (shear == ShearExtent::striated) return ShearedGap::striated;
   return Law::extent == FilmExtent::half ? ShearedGap::half : ShearedGap::dynamic;
 }
-
-namespace detail {
-
-/// atan2(y, x) for y > 0, by an arctangent of one quotient: half the instructions, and no digit less, since nothing is
-/// subtracted.
-template <class T>
-T angle_above(const T& y, const T& x) {
-  if constexpr (ScalarTraits<T>::carries_derivatives) {
-    return polar_angle(y, x);
-  } else {
-    using std::atan;
-    if (x > 0) return T(atan(T(y / x)));
-    return T(pi<T>() / 2 + atan(T(-x / y)));
-  }
-}
-
-}  // namespace detail
 
 /// I₁ = ∫dθ/H over the gap that is sheared [-]: whole 2π/√q, half π/√q, dynamic (2/√q) atan2(√q, −ê·u/|u|) (π/√q at
 /// u = 0, as film_bounds has it); striated (π/√q)(1 + 1/(1+ε)).

@@ -134,7 +134,7 @@ struct DirectionalResistance<ShortDynamic> {
       i22 = m / n4 * (R(2) / 3 + rho * (q + 3 * e22) / n2);
     } else {
       const R root = sqrt(q);
-      const R delta = polar_angle(root, R(-e1));
+      const R delta = angle_above(root, R(-e1));
       const R squares = 3 * e1 * e1;
       const R q52 = q * q * root;
       i11 = ((q + squares) * delta + 3 * e1 * root) / q52;

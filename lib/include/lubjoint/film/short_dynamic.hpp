@@ -21,26 +21,34 @@ struct ShortDynamic {
   /// F/S [1/s] in the frame of the film state, as above; u ≠ 0.
   template <class T>
   static Vector2<T> force_ratio(const FilmState<T>& film) {
+    return detail::resistance_of<ShortDynamic>(film);
+  }
+
+  /// Its parts in the film's own frame, where the film opens narrowly.
+  template <class T>
+  static detail::FrameForce<T> narrow(const detail::DynamicFrame<T>& frame) {
+    const T& n2 = frame.n2;
+    const T rho = detail::arc_remainder(frame.y);
+    const T m = -frame.e1;
+    const T n4 = n2 * n2;
+    const T along = m / n4 * ((3 - 2 * frame.y) * rho - RealOf<T>(4) / 3);
+    const T across = frame.e2 / (n4 * n2) * (2 * n2 - 3 * m * m * rho);
+    return {along, across};
+  }
+
+  /// And elsewhere.
+  template <class T>
+  static detail::FrameForce<T> wide(const detail::DynamicFrame<T>& frame, const T& q) {
     using std::sqrt;
-    const detail::DynamicFrame<T> frame(film);
     const T& e1 = frame.e1;
     const T& n2 = frame.n2;
-    const T& q = film.q;
-    if (frame.opens_narrowly()) {
-      const T rho = detail::arc_remainder(frame.y);
-      const T m = -e1;
-      const T n4 = n2 * n2;
-      const T along = m / n4 * ((3 - 2 * frame.y) * rho - RealOf<T>(4) / 3);
-      const T across = frame.e2 / (n4 * n2) * (2 * n2 - 3 * m * m * rho);
-      return frame.resistance(along, across);
-    }
     const T root = sqrt(q);
     const T delta = detail::half_length(frame, root);
     const T squares = 3 * e1 * e1;
     const T w = (q + squares) * delta + 3 * e1 * root;
     const T e = 3 * e1 * delta + root * (2 * q + squares) / n2;
     const T q52 = q * q * root;
-    return frame.resistance(T(w / q52), T(frame.e2 * e / q52));
+    return {T(w / q52), T(frame.e2 * e / q52)};
   }
 };
 

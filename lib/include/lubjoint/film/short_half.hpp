@@ -27,11 +27,12 @@ struct ShortHalf {
     const T& b = state.squeeze_rate;
     const T& q = state.q;
     const T root = sqrt(q);
-    const T q_squared = q * q;
     const T film_side = T(side == HalfFilmSide::converging ? 1 : -1);
     const T growth = 1 + 2 * epsilon * epsilon;
-    const T radial = -(film_side * (epsilon * a) / q_squared + pi<T>() * b * growth / (2 * q_squared * root));
-    const T tangential = pi<T>() * a / (4 * q * root) + film_side * (2 * epsilon * b) / q_squared;
+    const T over = 1 / (q * q * root);  // the one division; no product of a rate and q, which might leave the range
+    const T sided = film_side * (over * root);
+    const T radial = -(sided * (epsilon * a) + over * (pi<T>() / 2 * b * growth));
+    const T tangential = over * q * (pi<T>() / 4 * a) + sided * (2 * epsilon * b);
     return {radial, tangential};
   }
 };

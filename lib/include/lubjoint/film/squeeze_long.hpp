@@ -32,7 +32,7 @@ struct SqueezeLong {
     }
     const T x = detail::along_squeeze(state);
     const T root = sqrt(q);
-    const T k = 12 * (polar_angle(root, T(-x)) + x * root) / (q * root);
+    const T k = 12 * (detail::angle_above(root, T(-x)) + x * root) / (q * root);
     return {T(-k * state.squeeze_rate), T(0)};
   }
 };

@@ -32,7 +32,7 @@ struct SqueezeShort {
     }
     const T x = detail::along_squeeze(state);
     const T root = sqrt(q);
-    const T k = ((q + 3 * x * x) * polar_angle(root, T(-x)) + 3 * x * root) / (q * q * root);
+    const T k = ((q + 3 * x * x) * detail::angle_above(root, T(-x)) + 3 * x * root) / (q * q * root);
     return {T(-k * state.squeeze_rate), T(0)};
   }
 };
