@@ -1,6 +1,7 @@
 // Films of the bearing's real length in joints, and inside of them: wrenches, the transition to contact, where the film
 // lies and its pressure, judged by the solvers.
-#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
