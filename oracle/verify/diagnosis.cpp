@@ -90,8 +90,11 @@ class Matcher {
     for (const std::size_t n : judgement_.columns) {
       if (n >= group.begin && n < group.end) square += answer[n] * answer[n];
     }
-    // Of torques and powers, which are sums of terms that may cancel, it is that of the terms.
-    const double least = judgement_.quantities == Quantities::losses ? judgement_.references[i].size[k] : 0;
+    // Of torques and powers, which are sums of terms that may cancel, it is that of the terms; of a solver's pressure,
+    // the film's largest.
+    const bool is_of_terms = judgement_.quantities == Quantities::losses ||
+                             (judgement_.quantities == Quantities::pressure && is_solved_film(judgement_.law));
+    const double least = is_of_terms ? judgement_.references[i].size[k] : 0;
     return std::max(std::sqrt(square), least);
   }
 

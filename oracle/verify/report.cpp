@@ -117,6 +117,14 @@ std::string suspicions_text(const Verification& v) {
   return text;
 }
 
+/// What a tolerance is a share of.
+std::string_view what_is_a_share_of(const Judgement& j) {
+  if (is_table(j.quantities)) return "each number's size";
+  if (j.quantities == Quantities::extent) return "the angles' size";
+  if (j.quantities != Quantities::pressure) return "the force";
+  return is_solved_film(j.law) ? "the film's largest pressure" : "the size of the pressure's terms";
+}
+
 }  // namespace
 
 std::string_view verdict_name(Verdict verdict) {
@@ -131,8 +139,7 @@ std::string headline(const Verification& v) {
   if (v.law_was_found) law += v.law_is_doubtful ? " (the nearest of all laws)" : " (found among all laws)";
   const std::string domain = v.settings.domain.empty() ? "" : " where " + v.settings.domain;
   const std::string precision = v.settings.tolerance > 0
-                                    ? fmt::format("within {:g} of {}", v.settings.tolerance,
-                                                  is_table(j.quantities) ? "each number's size" : "the force")
+                                    ? fmt::format("within {:g} of {}", v.settings.tolerance, what_is_a_share_of(j))
                                     : "in " + j.precision.words();
   const std::string open = j.undecided > 0 ? fmt::format(", {} undecided", j.undecided) : "";
   switch (v.verdict) {
