@@ -198,10 +198,12 @@ TEST_CASE("verify finite tables: what is not judged of these films is refused wi
     CHECK(result.out.empty());
     return result.err;
   };
-  CHECK_THAT(refused("finite_half", {"pressure"}),
-             Contains("--quantities pressure") && Contains("cartesian, polar, coefficients, equilibrium and losses"));
+  CHECK_THAT(refused("finite_half", {"dimensionless"}),
+             Contains("--quantities dimensionless") &&
+                 Contains("cartesian, polar, wrench, transition, extent, pressure, coefficients, equilibrium and losses"));
+  CHECK_THAT(refused("finite_reynolds", {"extent"}), Contains("another angle") && Contains("allowed is pressure"));
   CHECK_THAT(refused("finite_reynolds", {"coefficients", "--onset", "maximum_film"}),
-             Contains("maximum film") && Contains("cartesian, polar and equilibrium"));
+             Contains("maximum film") && Contains("cartesian, polar, wrench, transition, pressure and equilibrium"));
   CHECK_THAT(refused("finite_half", {"coefficients", "--shear", "flooded"}), Contains("--shear does nothing"));
   CHECK_THAT(refused("finite_full", {"losses", "--shear", "striated"}), Contains("finite_half"));
   CHECK_THAT(refused("finite_half", {"losses", "--states", "5"}),

@@ -170,8 +170,8 @@ void find_other_films(FiniteVerification& v, unsigned threads) {
 std::vector<State> finite_states(Quantities quantities, const Conjunction& domain) {
   const bool polar = quantities == Quantities::polar;
   if (!polar && quantities != Quantities::cartesian) {
-    throw std::invalid_argument("--quantities " + std::string(name_of(quantities)) +
-                                " is not judged for films of finite length; allowed are " +
+    throw std::invalid_argument("the quantities " + std::string(name_of(quantities)) +
+                                " are no force alone; allowed are cartesian and polar"); allowed are " +
                                 std::string(quantities_of_solved_films));
   }
   std::vector<State> states;
