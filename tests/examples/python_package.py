@@ -342,7 +342,23 @@ assert few and few["states"] + few["left_out"] == 12, few  # some of them on the
 assert len(lubjoint.states("polar", law="finite_reynolds")["squeeze_rate"]) == 120
 film = lubjoint.verify(differences("full"), **finite_half)
 assert film["other"] == "finite_full" and film["other_films"] == ["finite_full"], film
-for wrong in ({"random": 5}, {"seed": 2}, {"quantities": "pressure"}, {"unit": 0.25}, {"shear": "film"},
+
+
+def with_moments(carried):
+    """Both moments about the mass centres; -F acts on the bearing's body at the journal's centre."""
+    def answer(sx_i, sy_i, sx_j, sy_j, **state):
+        fx, fy = finite.answer(state)
+        x, y = (sx_i + state["ex"], sy_i + state["ey"]) if carried else (sx_i, sy_i)
+        return fx, fy, y * fx - x * fy, sx_j * fy - sy_j * fx
+    return answer
+
+
+finite.MODE = "right"
+of_joint = {**finite_half, "quantities": "wrench"}
+assert lubjoint.verify(with_moments(True), **of_joint)
+report = lubjoint.verify(with_moments(False), **of_joint)
+assert not report and report.suspects[0]["mistakes"] == ["transport_moment_left_out"], report
+for wrong in ({"random": 5}, {"seed": 2}, {"quantities": "dimensionless"}, {"unit": 0.25}, {"shear": "film"},
               {"onset": "free"}, {"domain": "speed > 1e9"}, {"tolerance": 0.5}):
     try:
         lubjoint.verify(differences("right"), **{**finite_half, **wrong})

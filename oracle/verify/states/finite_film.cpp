@@ -171,8 +171,7 @@ std::vector<State> finite_states(Quantities quantities, const Conjunction& domai
   const bool polar = quantities == Quantities::polar;
   if (!polar && quantities != Quantities::cartesian) {
     throw std::invalid_argument("the quantities " + std::string(name_of(quantities)) +
-                                " are no force alone; allowed are cartesian and polar"); allowed are " +
-                                std::string(quantities_of_solved_films));
+                                " are no force alone; allowed are cartesian and polar");
   }
   std::vector<State> states;
   for (std::size_t i = 0; i < finite_shapes.size(); ++i) {
