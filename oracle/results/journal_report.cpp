@@ -111,12 +111,13 @@ nlohmann::ordered_json equilibrium_json(const Scene& scene, const JournalEquilib
 }
 
 std::string equilibrium_text(const Scene& scene, const JournalEquilibrium& rest) {
+  const auto shown = [](double x) { return std::abs(x) < 5e-7 ? 0.0 : x; };  // a rounding of either sign is no −0
   std::string text = fmt::format(
       "scene               {}\nlaw                 {}\neccentricity ratio  {:.10f}\n"
       "attitude angle      {:.6f} deg (from the load to e, positive with the spin)\n"
       "e/c                 ({:.10f}, {:.10f})\nforce on journal    ({:.6f}, {:.6f}) N\n",
       scene.name, scene.joints.front().film, rest.eccentricity_ratio, degrees * rest.attitude, rest.eccentricity.x(),
-      rest.eccentricity.y(), rest.force.x(), rest.force.y());
+      rest.eccentricity.y(), shown(rest.force.x()), shown(rest.force.y()));
   const auto matrix = [&](const char* name, const Eigen::Matrix2d& m) {
     text +=
         fmt::format("{:<20}{:14.6g} {:14.6g}\n{:<20}{:14.6g} {:14.6g}\n", name, m(0, 0), m(0, 1), "", m(1, 0), m(1, 1));

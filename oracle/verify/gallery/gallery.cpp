@@ -121,8 +121,8 @@ std::vector<const Mistake*> find_mistakes_for(Quantities quantities, Law law) {
     if (of_few_numbers && !differs(quantities, law, states, right, mistake, list)) continue;
     list.push_back(&mistake);
   }
-  // Of mistakes that do the same, the table's own is named first.
-  if (is_table(quantities))
+  // Of mistakes that do the same, those of a table, and of a film of real length, are named first.
+  if (is_table(quantities) || is_solved_film(law))
     std::stable_partition(list.begin(), list.end(), [&](const Mistake* m) {
       return !is_about_inputs(*m) || !m->applies(Quantities::cartesian, law);
     });

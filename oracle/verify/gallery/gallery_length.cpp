@@ -9,7 +9,10 @@ namespace {
 
 using S = Solution;
 
-bool of_length(Quantities q, Law law) { return q != Quantities::extent && is_solved_film(law); }
+bool of_length(Quantities q, Law law) {
+  return is_solved_film(law) && (is_table(q) || q == Quantities::wrench || q == Quantities::transition ||
+                                 q == Quantities::pressure);
+}
 bool flow_of_length(Quantities q, Law law) { return q == Quantities::losses && is_solved_film(law) && !is_full(law); }
 
 }  // namespace
