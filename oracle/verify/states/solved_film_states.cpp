@@ -52,11 +52,12 @@ std::vector<State> loads() {
 /// Numbers of (0, 1) that fill it evenly.
 double spread(std::size_t place, double step) { return std::fmod((static_cast<double>(place) + 0.5) * step, 1.0); }
 
-/// Arms of any direction, from a few clearances to a few radii.
+/// Arms of any direction: a few clearances, where e × F shows in a moment, or a few radii.
 void add_arms(std::vector<State>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     State& s = states[i];
-    const auto arm = [&](double step) { return 3 * s.radius * (2 * spread(i, step) - 1); };
+    const double reach = i % 5 < 2 ? 4 * s.clearance : 3 * s.radius;  // there are six motions: each has both
+    const auto arm = [&](double step) { return reach * (2 * spread(i, step) - 1); };
     s.sx_i = arm(0.618);
     s.sy_i = arm(0.414);
     s.sx_j = arm(0.732);
