@@ -54,10 +54,6 @@ namespace {
 
 using detail::ForceBlock;
 
-/// Films of squeeze alone that open and close have a branch on how the film opens.
-template <class Law>
-constexpr bool is_straight = !std::is_same_v<Law, SqueezeShort> && !std::is_same_v<Law, SqueezeLong>;
-
 #ifdef LUBJOINT_HAS_AVX2
 template <FilmLaw Law, class Rows>
 [[gnu::target("avx2,fma"), gnu::flatten]] std::size_t evaluate_avx2(const Rows& rows, std::size_t begin,
@@ -82,14 +78,12 @@ std::size_t evaluated_together([[maybe_unused]] const Rows& rows, std::size_t be
                                [[maybe_unused]] double scale, [[maybe_unused]] double* first,
                                [[maybe_unused]] double* second, [[maybe_unused]] ForceBlock& block,
                                [[maybe_unused]] InstructionSet set) {
-  if constexpr (is_straight<Law>) {
 #ifdef LUBJOINT_HAS_AVX512
-    if (set == InstructionSet::avx512) return evaluate_avx512<Law>(rows, begin, end, scale, first, second, block);
+  if (set == InstructionSet::avx512) return evaluate_avx512<Law>(rows, begin, end, scale, first, second, block);
 #endif
 #ifdef LUBJOINT_HAS_AVX2
-    if (set == InstructionSet::avx2) return evaluate_avx2<Law>(rows, begin, end, scale, first, second, block);
+  if (set == InstructionSet::avx2) return evaluate_avx2<Law>(rows, begin, end, scale, first, second, block);
 #endif
-  }
   return begin;
 }
 
@@ -136,7 +130,7 @@ void finish_block(const Rows& rows, std::size_t begin, std::size_t end, double s
 template <FilmLaw Law, class Rows>
 void evaluate(const Rows& rows, double scale, const ForceArrays& forces, InstructionSet set) {
   const std::size_t n = forces.first.size(), whole = n - n % detail::block_rows;
-  const bool together = set != InstructionSet::scalar && is_straight<Law> && detail::is_ordinary_scale(scale);
+  const bool together = set != InstructionSet::scalar && detail::is_ordinary_scale(scale);
   if (!together) return evaluate_checked<Law>(rows, 0, n, scale, forces);
   ForceBlock block;
   std::size_t begin = 0;

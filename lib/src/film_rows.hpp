@@ -8,6 +8,7 @@
 #include "lubjoint/film/batch.hpp"
 #include "lubjoint/film/dynamic_moments.hpp"
 #include "lubjoint/film/law.hpp"
+#include "lubjoint/film/squeeze_film.hpp"
 
 namespace lubjoint::detail {
 
@@ -143,13 +144,22 @@ bool is_ordinary(const PolarFilmState<double>& state) {
 
 /// A law of two forms, one of which is selected.
 template <class Law>
-concept DynamicLaw = requires(const DynamicFrame<double>& frame) { Law::narrow(frame); };
+concept DynamicLaw = requires(const DynamicFrame<double>& frame) {
+  Law::narrow(frame);
+};
+
+/// Likewise one of the squeeze alone.
+template <class Law>
+concept OneSidedSqueezeLaw = requires(const PolarFilmState<double>& state) {
+  Law::narrow_resistance(state);
+};
 
 /// F/S of an ordinary state: no branch on where it lies.
 template <FilmLaw Law>
 Vector2<double> quick_ratio(const FilmState<double>& film) {
   if constexpr (PolarLaw<Law>) {
     const PolarView<double> view = polar_view_along(direction_in_range(film.eccentricity), film);
+    if constexpr (OneSidedSqueezeLaw<Law>) return in_plane(selected_squeeze_force<Law>(view.state), view.radial);
     return polar_law_in_plane<Law>(view, side_of(film));
   } else if constexpr (DynamicLaw<Law>) {
     return selected_resistance_of<Law>(film);
@@ -161,6 +171,10 @@ Vector2<double> quick_ratio(const FilmState<double>& film) {
 template <FilmLaw Law>
 Vector2<double> quick_ratio(const PolarFilmState<double>& state) {
   if constexpr (PolarLaw<Law>) {
+    if constexpr (OneSidedSqueezeLaw<Law>) {
+      const PolarForce<double> ratio = selected_squeeze_force<Law>(state);
+      return Vector2<double>(ratio.radial, ratio.tangential);
+    }
     const PolarForce<double> ratio = Law::force_ratio(state, side_of(state));
     return Vector2<double>(ratio.radial, ratio.tangential);
   } else {

@@ -1,5 +1,5 @@
-/// The arctangent and its remainder as polynomials: without a branch, so that rows of states are evaluated together, and
-/// with bounds that are proved where they are compiled.
+/// The arctangent and its remainder as polynomials: without a branch, so that rows of states are evaluated together,
+/// and with bounds that are proved where they are compiled.
 #pragma once
 
 #include <array>
@@ -22,7 +22,8 @@ T polynomial(const std::array<double, n>& c, const T& x) {
     ((s0 = s0 * x4 + c[n - 8 - 4 * k], s1 = s1 * x4 + c[n - 7 - 4 * k], s2 = s2 * x4 + c[n - 6 - 4 * k],
       s3 = s3 * x4 + c[n - 5 - 4 * k]),
      ...);
-  }(std::make_index_sequence<n / 4 - 1>());
+  }
+  (std::make_index_sequence<n / 4 - 1>());
   return T((s0 + x * s1) + x2 * (s2 + x * s3));
 }
 
@@ -35,8 +36,8 @@ struct BoundedPolynomial {
 
 /// (arctan(t)/t − 1)/t² in powers of t², |t| ≤ tan 2θ. With t = x tan 2θ and r = tan θ,
 ///   arctan t = 2 Σ_k (−1)^k r^{2k+1}/(2k+1) T_{2k+1}(x),
-/// cut after some terms; as |T_m(x)| ≤ m|x| for odd m, what is cut is at most 2r^{2m+1}/(1 − r²) |x| for the first k = m
-/// that is left out.
+/// cut after some terms; as |T_m(x)| ≤ m|x| for odd m, what is cut is at most 2r^{2m+1}/(1 − r²) |x| for the first k =
+/// m that is left out.
 template <std::size_t n>
 constexpr BoundedPolynomial<n> arctangent_series(long double r) {
   const long double largest = 2 * r / (1 - r * r);
@@ -117,7 +118,8 @@ static_assert(narrow_remainder.error < 0x1p-57L);  // of ρ ≥ 8/15
 
 /// Is a number of double precision at the bottom of T? Others take functions that know more digits.
 template <class T>
-concept HoldsDouble = std::same_as<RealOf<T>, double>;
+concept HoldsDouble = std::same_as < RealOf<T>,
+double > ;
 
 /// Angle of (x, y), atan2(y, x), where y > 0: in (0, π). In double to about an ulp: the polynomial's bound, above, and
 /// the roundings. The angle is that of the nearest direction out of 0, π/4, π/2, 3π/4, π, and the arctangent, at most

@@ -3,12 +3,11 @@
 /// States and forces are arrays, one for each component. Every row gets the bits that the functions for one state give
 /// (both compiled with -ffp-contract=off), whatever the instruction set, the number of rows and their place.
 ///
-/// On x86-64 with AVX2 and FMA, which is found out at run time, full, half and dynamic films and Pinkus–Sternlicht are
-/// evaluated four rows an instruction, on AMD's processors with AVX-512 eight. Films of squeeze alone that open and
-/// close, all laws elsewhere, and single rows that need care (u = 0; ê = 0 under a half film; |u| or |ê| beyond 1e±59)
-/// are evaluated one by one. So are the laws that are tables, whose sums are vector instructions in each row already; their bits are those of the functions for
-/// one state if both are compiled for the same instruction set, which is what decides the order in which a sum is
-/// taken.
+/// On x86-64 with AVX2 and FMA, which is found out at run time, every law that is a formula is evaluated four rows an
+/// instruction, on AMD's processors with AVX-512 eight. Elsewhere it is evaluated one by one, and so are single rows that
+/// need care (u = 0; ê = 0 under a half film; |u| or |ê| beyond 1e±59), published fits, and the laws that are tables,
+/// whose sums are vector instructions in each row already; their bits are those of the functions for one state if both
+/// are compiled for the same instruction set, which is what decides the order in which a sum is taken.
 ///
 /// An array that is written may be one that is read. Nothing is allocated.
 /// This header needs the compiled part lubjoint::batch.

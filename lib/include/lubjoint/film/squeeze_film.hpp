@@ -14,13 +14,28 @@ namespace lubjoint::detail {
 /// True where the closed form of an opening film would be less than 1/22 of its terms (short film, q = ½).
 template <class T>
 bool squeeze_opens_narrowly(const PolarFilmState<T>& state) {
-  return value_of(state.squeeze_rate) < 0 && value_of(state.q) < RealOf<T>(0.5);
+  return (value_of(state.squeeze_rate) < 0) & (value_of(state.q) < RealOf<T>(0.5));
 }
 
 /// x = ε for b ≥ 0, −ε for b < 0.
 template <class T>
 T along_squeeze(const PolarFilmState<T>& state) {
   return value_of(state.squeeze_rate) < 0 ? T(-state.eccentricity_ratio) : state.eccentricity_ratio;
+}
+
+/// F/S of a law that has a form for films that open narrowly, and one for others.
+template <class Law, class T>
+PolarForce<T> squeeze_force(const PolarFilmState<T>& state) {
+  const T resistance = squeeze_opens_narrowly(state) ? Law::narrow_resistance(state) : Law::wide_resistance(state);
+  return {T(-resistance * state.squeeze_rate), T(0)};
+}
+
+/// The same with both formed and one selected: no branch, and the same bits.
+template <class Law>
+PolarForce<double> selected_squeeze_force(const PolarFilmState<double>& state) {
+  const double narrow = Law::narrow_resistance(state), wide = Law::wide_resistance(state);
+  const double resistance = squeeze_opens_narrowly(state) ? narrow : wide;
+  return {-resistance * state.squeeze_rate, 0.0};
 }
 
 }  // namespace lubjoint::detail

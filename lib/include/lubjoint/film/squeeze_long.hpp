@@ -24,16 +24,23 @@ struct SqueezeLong {
   /// F/S [1/s], radial and tangential, as above.
   template <class T>
   static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide) {
-    using std::sqrt;
+    return detail::squeeze_force<SqueezeLong>(state);
+  }
+
+  /// −F_r/(S b) of a film that opens narrowly.
+  template <class T>
+  static T narrow_resistance(const PolarFilmState<T>& state) {
     const T& q = state.q;
-    if (detail::squeeze_opens_narrowly(state)) {
-      const T k = 12 * state.eccentricity_ratio * (RealOf<T>(2) / 3 + q * detail::arc_remainder(q));
-      return {T(-k * state.squeeze_rate), T(0)};
-    }
+    return T(12 * state.eccentricity_ratio * (RealOf<T>(2) / 3 + q * detail::arc_remainder(q)));
+  }
+
+  /// And of another.
+  template <class T>
+  static T wide_resistance(const PolarFilmState<T>& state) {
+    using std::sqrt;
     const T x = detail::along_squeeze(state);
-    const T root = sqrt(q);
-    const T k = 12 * (detail::angle_above(root, T(-x)) + x * root) / (q * root);
-    return {T(-k * state.squeeze_rate), T(0)};
+    const T root = sqrt(state.q);
+    return T(12 * (detail::angle_above(root, T(-x)) + x * root) / (state.q * root));
   }
 };
 

@@ -24,16 +24,24 @@ struct SqueezeShort {
   /// F/S [1/s], radial and tangential, as above.
   template <class T>
   static PolarForce<T> force_ratio(const PolarFilmState<T>& state, HalfFilmSide) {
+    return detail::squeeze_force<SqueezeShort>(state);
+  }
+
+  /// −F_r/(S b) of a film that opens narrowly.
+  template <class T>
+  static T narrow_resistance(const PolarFilmState<T>& state) {
+    const T& q = state.q;
+    return T(state.eccentricity_ratio * ((3 - 2 * q) * detail::arc_remainder(q) - RealOf<T>(4) / 3));
+  }
+
+  /// And of another.
+  template <class T>
+  static T wide_resistance(const PolarFilmState<T>& state) {
     using std::sqrt;
     const T& q = state.q;
-    if (detail::squeeze_opens_narrowly(state)) {
-      const T k = state.eccentricity_ratio * ((3 - 2 * q) * detail::arc_remainder(q) - RealOf<T>(4) / 3);
-      return {T(-k * state.squeeze_rate), T(0)};
-    }
     const T x = detail::along_squeeze(state);
     const T root = sqrt(q);
-    const T k = ((q + 3 * x * x) * detail::angle_above(root, T(-x)) + 3 * x * root) / (q * q * root);
-    return {T(-k * state.squeeze_rate), T(0)};
+    return T(((q + 3 * x * x) * detail::angle_above(root, T(-x)) + 3 * x * root) / (q * q * root));
   }
 };
 
