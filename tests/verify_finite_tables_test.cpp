@@ -5,13 +5,11 @@
 
 #include "lubjoint/film/compiled_coefficients.hpp"
 #include "lubjoint/film/losses.hpp"
-#include "oracle/verify/states/finite_film.hpp"
 #include "oracle/verify/states/finite_tables.hpp"
-#include "oracle/verify/states/solved_film_states.hpp"
 #include "support/compiled_films.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
-#include "support/verify_answers.hpp"
+#include "support/solved_films.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::verify;
@@ -20,29 +18,6 @@ using Catch::Contains;
 using oracle::FiniteFilm;
 
 namespace {
-
-std::vector<State> states_of(Law law, Quantities quantities, ShearExtent shear = ShearExtent::film) {
-  return solved_film_states({oracle::finite_film_of(name_of(law))}, quantities, {}, shear, 2);
-}
-
-/// Every so many of them; the steps that are used share no factor with the numbers of ratios, spins and motions.
-std::vector<State> some_states(Law law, Quantities quantities, std::size_t step) {
-  const std::vector<State> all = states_of(law, quantities);
-  std::vector<State> some;
-  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
-  return some;
-}
-
-Verification judged(Law law, Quantities quantities, const std::vector<State>& states, const Answers& answers) {
-  return verify_answers(quantities, std::string(name_of(law)), states, answers, {finite_tolerance, ""});
-}
-
-std::string named(const Verification& v) {
-  if (v.suspicions.empty()) return "nothing";
-  std::string names;
-  for (const Mistake* m : v.suspicions[0].mistakes) names += std::string(m->name) + " ";
-  return names;
-}
 
 constexpr std::array films = {"finite_full"_law, "finite_half"_law, "finite_dynamic"_law, "finite_reynolds"_law};
 
@@ -198,9 +173,10 @@ TEST_CASE("verify finite tables: what is not judged of these films is refused wi
     CHECK(result.out.empty());
     return result.err;
   };
-  CHECK_THAT(refused("finite_half", {"dimensionless"}),
-             Contains("--quantities dimensionless") &&
-                 Contains("cartesian, polar, wrench, transition, extent, pressure, coefficients, equilibrium and losses"));
+  CHECK_THAT(
+      refused("finite_half", {"dimensionless"}),
+      Contains("--quantities dimensionless") &&
+          Contains("cartesian, polar, wrench, transition, extent, pressure, coefficients, equilibrium and losses"));
   CHECK_THAT(refused("finite_reynolds", {"extent"}), Contains("another angle") && Contains("allowed is pressure"));
   CHECK_THAT(refused("finite_reynolds", {"coefficients", "--onset", "maximum_film"}),
              Contains("maximum film") && Contains("cartesian, polar, wrench, transition, pressure and equilibrium"));
@@ -219,26 +195,10 @@ TEST_CASE("verify finite tables: what is not judged of these films is refused wi
 }
 
 TEST_CASE("verify finite tables: every mistake is named first") {
-  const auto check = [](Law law, Quantities quantities, std::size_t step, std::size_t at_least) {
-    const std::vector<State> states = some_states(law, quantities, step);
-    std::size_t tried = 0;
-    for (const Mistake* mistake : mistakes_for(quantities, law)) {
-      if (mistake->name == "shear_of_film_alone") continue;  // is right where the film is asked for
-      const Answers answers = mistaken_answers(quantities, law, states, {mistake});
-      const Verification v = judged(law, quantities, states, answers);
-      if (v.verdict == Verdict::agrees || v.verdict == Verdict::undecided) continue;  // without effect, or no number
-      INFO(name_of(law) << ", " << name_of(quantities) << ", " << mistake->name << " taken for " << named(v));
-      REQUIRE(!v.suspicions.empty());
-      CHECK(v.suspicions[0].names({mistake}));
-      ++tried;
-    }
-    INFO(name_of(law) << ", " << name_of(quantities));
-    CHECK(tried >= at_least);
-  };
-  check("finite_full"_law, Quantities::coefficients, 3, 45);
-  check("finite_half"_law, Quantities::coefficients, 3, 45);
-  check("finite_dynamic"_law, Quantities::equilibrium, 3, 25);
-  check("finite_dynamic"_law, Quantities::losses, 7, 30);
-  check("finite_reynolds"_law, Quantities::equilibrium, 9, 25);
-  check("finite_reynolds"_law, Quantities::losses, 17, 30);
+  check_every_mistake("finite_full"_law, Quantities::coefficients, 3, 45);
+  check_every_mistake("finite_half"_law, Quantities::coefficients, 3, 45);
+  check_every_mistake("finite_dynamic"_law, Quantities::equilibrium, 3, 25);
+  check_every_mistake("finite_dynamic"_law, Quantities::losses, 7, 30);
+  check_every_mistake("finite_reynolds"_law, Quantities::equilibrium, 9, 25);
+  check_every_mistake("finite_reynolds"_law, Quantities::losses, 17, 30);
 }
