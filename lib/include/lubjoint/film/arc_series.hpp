@@ -4,8 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "lubjoint/number/scalar.hpp"
@@ -22,8 +23,7 @@ T polynomial(const std::array<double, n>& c, const T& x) {
     ((s0 = s0 * x4 + c[n - 8 - 4 * k], s1 = s1 * x4 + c[n - 7 - 4 * k], s2 = s2 * x4 + c[n - 6 - 4 * k],
       s3 = s3 * x4 + c[n - 5 - 4 * k]),
      ...);
-  }
-  (std::make_index_sequence<n / 4 - 1>());
+  }(std::make_index_sequence<n / 4 - 1>());
   return T((s0 + x * s1) + x2 * (s2 + x * s3));
 }
 
@@ -118,8 +118,7 @@ static_assert(narrow_remainder.error < 0x1p-57L);  // of ρ ≥ 8/15
 
 /// Is a number of double precision at the bottom of T? Others take functions that know more digits.
 template <class T>
-concept HoldsDouble = std::same_as < RealOf<T>,
-double > ;
+inline constexpr bool holds_double = std::is_same_v<RealOf<T>, double>;
 
 /// Angle of (x, y), atan2(y, x), where y > 0: in (0, π). In double to about an ulp: the polynomial's bound, above, and
 /// the roundings. The angle is that of the nearest direction out of 0, π/4, π/2, 3π/4, π, and the arctangent, at most
@@ -138,7 +137,7 @@ inline double angle_above(double y, double x) {
 }
 template <class T>
 T angle_above(const T& y, const T& x) {
-  if constexpr (ScalarTraits<T>::carries_derivatives && HoldsDouble<T>) {
+  if constexpr (ScalarTraits<T>::carries_derivatives && holds_double<T>) {
     const double square = x.value() * x.value() + y.value() * y.value();
     return T(angle_above(y.value(), x.value()),
              y.derivatives() * (x.value() / square) - x.derivatives() * (y.value() / square));
@@ -151,7 +150,7 @@ T angle_above(const T& y, const T& x) {
 /// series of positive terms.
 template <class T>
 T arc_remainder(const T& y) {
-  if constexpr (HoldsDouble<T>) {
+  if constexpr (holds_double<T>) {
     return polynomial(narrow_remainder.coefficients, y);
   } else {
     using R = RealOf<T>;
