@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -15,9 +16,8 @@ class SingularConstraints : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
-/// L D Lᵀ, L with a unit diagonal, by rows inside the envelope, which is found once: a chain costs O(n), a small closed
-/// loop as much as a full matrix. D is kept inverted: one division a row, and no root, is what a small factorisation
-/// waits for.
+/// LLᵀ by rows inside the envelope, which is found once: a chain costs O(n), a small closed loop as much as a full
+/// matrix.
 template <class R>
 class EnvelopeCholesky {
  public:
@@ -39,26 +39,20 @@ class EnvelopeCholesky {
 
   /// @throws SingularConstraints if the matrix is not positive definite to rounding
   void factorise() {
+    using std::sqrt;
     least_share_ = R(1);
     least_row_ = 0;
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t row = origin(i);
+      for (std::size_t j = first_[i]; j < i; ++j) {
+        const std::size_t other = origin(j);
+        R sum = entries_[row + j];
+        for (std::size_t k = std::max(first_[i], first_[j]); k < j; ++k) sum -= entries_[row + k] * entries_[other + k];
+        entries_[row + j] = sum * entries_[other + j];
+      }
       const R before = entries_[row + i];
       R sum = before;
-      for (std::size_t j = first_[i]; j < i; ++j) {  // entries before j are D L, those of finished rows L
-        const std::size_t other = origin(j);
-        R scaled = entries_[row + j];
-        for (std::size_t k = std::max(first_[i], first_[j]); k < j; ++k) {
-          scaled -= entries_[row + k] * entries_[other + k];
-        }
-        entries_[row + j] = scaled;
-      }
-      for (std::size_t j = first_[i]; j < i; ++j) {
-        const R scaled = entries_[row + j];
-        const R entry = scaled * entries_[origin(j) + j];
-        sum -= scaled * entry;
-        entries_[row + j] = entry;
-      }
+      for (std::size_t k = first_[i]; k < i; ++k) sum -= entries_[row + k] * entries_[row + k];
       if (!(sum > before * least_share_)) {
         least_share_ = before > 0 ? R(sum / before) : R(0);
         least_row_ = i;
@@ -66,7 +60,8 @@ class EnvelopeCholesky {
       if (!(sum > before * 64 * std::numeric_limits<R>::epsilon())) {
         throw SingularConstraints("the constraints are not independent at this position");
       }
-      entries_[row + i] = 1 / sum;
+      entries_[row + i] =
+          1 / sqrt(sum);  // the diagonal is kept inverted: divisions are what a small factorisation waits for
     }
   }
 
@@ -81,10 +76,11 @@ class EnvelopeCholesky {
     for (std::size_t i = 0; i < size(); ++i) {
       const std::size_t row = origin(i);
       for (std::size_t k = first_[i]; k < i; ++k) b[i] -= entries_[row + k] * b[k];
+      b[i] *= entries_[row + i];
     }
-    for (std::size_t i = 0; i < size(); ++i) b[i] *= entries_[origin(i) + i];
     for (std::size_t i = size(); i-- > 0;) {
       const std::size_t row = origin(i);
+      b[i] *= entries_[row + i];
       for (std::size_t k = first_[i]; k < i; ++k) b[k] -= entries_[row + k] * b[i];
     }
   }
