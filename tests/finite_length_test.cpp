@@ -2,6 +2,7 @@
 #include "oracle/reynolds/finite_length.hpp"
 
 #include <array>
+#include <boost/math/quadrature/gauss.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <random>
 
 #include "lubjoint/film/law_list.hpp"
+#include "oracle/reynolds/finite_force.hpp"
 
 using namespace lubjoint;
 using namespace lubjoint::oracle;
@@ -279,6 +281,50 @@ TEST_CASE("finite length: the pressure field integrates to the force, vanishes a
       CHECK(uneven < 1e-12 * largest);  // rounding
       if (film == FiniteFilm::finite_reynolds) CHECK(smallest == 0);
     }
+  }
+}
+
+TEST_CASE("finite length: pressures at places integrate to the other solver's force, to a millionth of the largest") {
+  // Gauss's rule over half of the length and over the film, which is cut where its slope jumps; all around, that of
+  // equal weights.
+  using Rule = boost::math::quadrature::gauss<double, 30>;
+  using Along = boost::math::quadrature::gauss<double, 15>;
+  const double shape = 0.8, epsilon = 0.5, half_turn = std::numbers::pi;
+  for (const FiniteFilm film : smooth_films) {
+    const PolarFilmState<double> state(epsilon, 1, 0.5);
+    const bool whole = film == FiniteFilm::finite_full;
+    const double start = film == FiniteFilm::finite_dynamic ? std::atan2(1.0, 1.0) : 0;
+    double largest = 0;
+    const auto along = [&](double theta) {
+      return 2 * Along::integrate(
+                     [&](double zeta) {
+                       const FinitePressure p = finite_pressure(film, shape, state, theta, zeta);
+                       largest = std::max(largest, p.largest);
+                       CHECK(p.error <= 1e-6 * p.largest * (1 + 1e-9));  // as the header says
+                       return p.ratio;
+                     },
+                     0.0, shape);
+    };
+    Vector2<double> sum(0, 0);
+    const auto add = [&](double theta, double weight) {
+      sum += weight * along(theta) * Vector2<double>(std::cos(theta), std::sin(theta));
+    };
+    if (whole) {
+      for (int i = 0; i < 48; ++i) add(2 * half_turn * i / 48, 2 * half_turn / 48);
+    } else {
+      const auto& places = Rule::abscissa();
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        for (const double side : {-1.0, 1.0}) {
+          add(start + half_turn / 2 * (1 + side * places[i]), half_turn / 2 * Rule::weights()[i]);
+        }
+      }
+    }
+    const FiniteForce force = finite_force(film, shape, state.in_own_frame(),
+                                           {1e-9, FilmOnset::free, SmoothFilmMethod::circumferential_modes});
+    INFO(name_of(film));
+    // F/S = integral of p over mu (R/c)^2 over 2 L/D; what it is integrated over is 4 pi L/D at most.
+    const Vector2<double> off = sum / (2 * shape) - force.ratio;
+    CHECK(off.norm() <= 1e-6 * largest * 2 * half_turn);
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "lubjoint/film/compiled_coefficients.hpp"
 #include "lubjoint/film/losses.hpp"
-#include "oracle/verify/states/finite_tables.hpp"
+#include "oracle/verify/states/films_by_solver.hpp"
 #include "support/compiled_films.hpp"
 #include "support/csv.hpp"
 #include "support/run_program.hpp"

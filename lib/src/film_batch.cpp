@@ -132,7 +132,7 @@ void evaluate(const Rows& rows, double scale, const ForceArrays& forces, Instruc
   const std::size_t n = forces.first.size(), whole = n - n % detail::block_rows;
   const bool together = set != InstructionSet::scalar && detail::is_ordinary_scale(scale);
   if (!together) return evaluate_checked<Law>(rows, 0, n, scale, forces);
-  ForceBlock block;
+  ForceBlock block{};
   std::size_t begin = 0;
   while (begin < whole) {
     begin = evaluated_together<Law>(rows, begin, whole, scale, forces.first.data(), forces.second.data(), block, set);

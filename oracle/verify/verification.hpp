@@ -54,7 +54,8 @@ inline constexpr std::string_view quantities_of_solved_films =
 void require_law(Quantities quantities, const std::string& law);
 
 /// Judges answers against a law, or against every law for "auto": the one that domain, terms and mistakes leave least
-/// unexplained. Against a film that a solver knows: tables, of states that have it (solved_film_states).
+/// unexplained. Against a film that a solver knows: all but its forces alone, of states that have it
+/// (solved_film_states).
 /// @throws std::invalid_argument for a law that is not there, or that has no such quantities
 Verification verify_answers(Quantities quantities, const std::string& law, std::vector<State> states, Answers answers,
                             const VerifySettings& settings = {});

@@ -84,12 +84,11 @@ void find_pressure(Solution& s) {
     return;
   }
   if (is_solved_film(s.law)) {
-    // Where a half film that is not mirrored pulls on 0…π, its pressure is linear in a and b.
-    const Real sign = is_half(s.law) && !s.mirrors_half && s.a < 0 ? -1 : 1;
+    const Real pull = s.pull();
     const SolvedPressure p =
-        s.films->pressure(s.law, s.shape, s.ratio, sign * s.a, sign * s.b, s.theta, s.z / s.radius);
+        s.films->pressure(s.law, s.shape, s.ratio, pull * s.a, pull * s.b, s.theta, s.z / s.radius);
     const Real unit = s.scale / (s.length * s.radius);  // S/(LR) = μ(R/c)²
-    s.pressure = (s.pulls ? -1 : 1) * sign * unit * p.pressure;
+    s.pressure = (s.pulls ? -1 : 1) * pull * unit * p.pressure;
     s.pressure_terms = unit * p.largest;
     s.pressure_error = p.error;
     return;

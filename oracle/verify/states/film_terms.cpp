@@ -126,11 +126,10 @@ void find_terms(Solution& s) {
     return;
   }
   if (is_solved_film(s.law)) {
-    // Where a half film that is not mirrored pulls on 0…π, its pressure is linear in a and b.
-    const Real sign = is_half(s.law) && !s.mirrors_half && s.a < 0 ? -1 : 1;
-    s.moving = s.films->force(s.law, s.shape, s.ratio, sign * s.a, sign * s.b);
-    s.radial_wedge = sign * s.moving.radial;
-    s.tangential_wedge = sign * s.moving.tangential;
+    const Real pull = s.pull();
+    s.moving = s.films->force(s.law, s.shape, s.ratio, pull * s.a, pull * s.b);
+    s.radial_wedge = pull * s.moving.radial;
+    s.tangential_wedge = pull * s.moving.tangential;
     return;
   }
   formula_of_law[s.law.place].find(s);

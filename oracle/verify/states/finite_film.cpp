@@ -17,8 +17,6 @@ namespace {
 using oracle::FilmOnset;
 using oracle::FiniteFilm;
 
-constexpr std::array ratios = {0.1, 0.3, 0.5, 0.7, 0.9};
-
 /// a/ε and b over the journal's spin, and the bearing's spin over it.
 struct Motion {
   double whirl;    ///< γ̇, relative to the bearing
@@ -175,7 +173,7 @@ std::vector<State> finite_states(Quantities quantities, const Conjunction& domai
   }
   std::vector<State> states;
   for (std::size_t i = 0; i < finite_shapes.size(); ++i) {
-    for (const double epsilon : ratios) {
+    for (const double epsilon : finite_ratios) {
       for (const Motion& motion : motions) {
         State s;
         const double k = static_cast<double>(states.size());

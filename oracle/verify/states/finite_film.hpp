@@ -20,6 +20,10 @@ inline constexpr double finite_tolerance = 1e-3;
 /// L/D of the states' bearings.
 inline constexpr std::array finite_shapes = {0.25, 0.5, 1.0, 2.0};
 
+/// ε of the states of a motion, so many of each shape; the innermost of motions changes fastest, then these, then
+/// shapes.
+inline constexpr std::array finite_ratios = {0.1, 0.3, 0.5, 0.7, 0.9};
+
 /// The states that a program of finite length is asked about: bearings of L/D ¼, ½, 1 and 2, ε from 0.1 to 0.9 in all
 /// directions, each with steady rotation of either sign, closing and opening squeeze alone, and both with rotation.
 /// @param quantities  cartesian or polar

@@ -189,6 +189,8 @@ struct Solution {
   Real q() const { return ratio_gap * (1 + ratio); }  ///< 1 − ε²
   Real d() const { return 2 + ratio * ratio; }        ///< 2 + ε²
   void scale_lengths(Real factor);                    ///< all lengths and speeds read in another unit
+  /// −1 where a half film that is not mirrored pulls on 0…π: a solver's film, linear in a and b, is that of −a and −b.
+  Real pull() const { return is_half(law) && !mirrors_half && a < 0 ? -1 : 1; }
 };
 
 /// A change of the numbers after a step.

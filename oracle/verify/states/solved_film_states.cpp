@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracle/verify/states/films_by_solver.hpp"
 #include "oracle/verify/states/finite_film.hpp"
-#include "oracle/verify/states/finite_tables.hpp"
 #include "oracle/verify/states/steady_slopes.hpp"
 
 namespace lubjoint::verify {
@@ -85,14 +85,13 @@ std::vector<State> transitions() {
   std::vector<State> states = finite_states(Quantities::cartesian);
   constexpr double blend = 1.0 / 16, widening = 0.25;  // e₀/c, e₁/c: the film is never thinner than 0.15 (c + e₁)
   constexpr std::array distances = {0.4, 0.9, 1 + 0.25 * blend, 1 + 0.7 * blend, 1 + 1.5 * blend};
+  static_assert(distances.size() == finite_ratios.size());
   for (State& s : states) {
     const Vector2<double> e(s.ex, s.ey);
     const double ratio = norm(e) / s.clearance;
-    // finite_states has as many ratios; the rates keep their sizes over ε.
-    constexpr std::array ratios = {0.1, 0.3, 0.5, 0.7, 0.9};
-    const auto place = static_cast<std::size_t>(
-        std::ranges::min_element(ratios, {}, [&](double x) { return std::abs(x - ratio); }) - ratios.begin());
-    const double farther = distances[place] / ratios[place];
+    const auto nearest = std::ranges::min_element(finite_ratios, {}, [&](double x) { return std::abs(x - ratio); });
+    const auto place = static_cast<std::size_t>(nearest - finite_ratios.begin());
+    const double farther = distances[place] / *nearest;  // the rates keep their sizes over ε
     s.ex *= farther;
     s.ey *= farther;
     s.vx *= farther;

@@ -1,4 +1,4 @@
-#include "oracle/verify/states/finite_tables.hpp"
+#include "oracle/verify/states/films_by_solver.hpp"
 
 #include <algorithm>
 #include <array>
