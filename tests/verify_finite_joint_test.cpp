@@ -162,18 +162,26 @@ TEST_CASE("verify finite joint: an onset at the maximum film is another film in 
         }
         const Bearing<double> bearing(s.length, s.radius, s.clearance);
         const JointKinematics<double> joint{{s.sx_i, s.sy_i}, {s.sx_j, s.sy_j}, motion_of(s)};
-        const Vector2<double> f = force_scale(BearingLimit::long_bearing, bearing, Lubricant<double>(s.viscosity)) *
-                                  oracle::finite_force(FiniteFilm::finite_reynolds, 0.5,
-                                                       film_state(joint.motion, bearing.clearance()), {1e-4, onset})
-                                      .ratio;
+        // Not by way of u, whose rounding along e would be squeeze, in which nothing is pinned.
+        const Vector2<double> r = direction(joint.motion.eccentricity);
+        const double ratio = norm(joint.motion.eccentricity) / s.clearance;
+        const PolarFilmState<double> state(ratio, ratio * s.omega_journal, 0);
+        const Vector2<double> along =
+            force_scale(BearingLimit::long_bearing, bearing, Lubricant<double>(s.viscosity)) *
+            oracle::finite_force(FiniteFilm::finite_reynolds, 0.5, state.in_own_frame(), {1e-4, onset}).ratio;
+        const Vector2<double> f = along.x() * r + along.y() * perpendicular(r);
         const JointWrenches<double> wrenches = joint_wrenches(joint, f);
         return {f.x(), f.y(), wrenches.bearing.moment, wrenches.journal.moment};
       });
     };
     INFO(name_of(quantities));
     CHECK(judged("finite_reynolds"_law, quantities, states, program(pinned)).verdict == Verdict::agrees);
-    CHECK(judged("finite_reynolds"_law, quantities, states, program(oracle::FilmOnset::free)).verdict ==
-          Verdict::disagrees);
+    const Verification other = judged("finite_reynolds"_law, quantities, states, program(oracle::FilmOnset::free));
+    INFO(text_report(other));
+    CHECK(!other.accepted());
+    if (quantities == Quantities::pressure) continue;  // one place of ten shows it
+    REQUIRE(!other.suspicions.empty());
+    CHECK(other.suspicions[0].names({&mistake_of("other_onset")}));
   }
 }
 
@@ -241,6 +249,26 @@ TEST_CASE("verify finite joint: where a film lies agrees with the formula, and a
   }
 }
 
+TEST_CASE("verify finite joint: what is wrong in thin films alone, or in one state, is never accepted") {
+  const Law law = "finite_half"_law;
+  for (const Quantities quantities : {Quantities::wrench, Quantities::pressure, Quantities::coefficients}) {
+    const std::vector<State> states = some_states(law, quantities, 3);
+    const auto right = [&](const State& s) { return solve(quantities, law, s).answer; };
+    const auto judged_with = [&](const auto& is_off, double factor) {
+      return judged(law, quantities, states, answers_of(quantities, states, [&](const State& s) {
+                      auto answer = right(s);
+                      for (Real& each : answer) each *= is_off(s) ? factor : 1;
+                      return answer;
+                    }));
+    };
+    INFO(name_of(quantities));
+    CHECK(judged_with([](const State&) { return false; }, 1).verdict == Verdict::agrees);
+    const auto is_thin = [&](const State& s) { return solve(quantities, law, s).ratio > 0.85L; };
+    CHECK(!judged_with(is_thin, 1.37).accepted());
+    CHECK(!judged_with([&](const State& s) { return &s == &states[1]; }, 1.05).accepted());
+  }
+}
+
 TEST_CASE("verify finite joint: every mistake is named first") {
   check_every_mistake("finite_full"_law, Quantities::wrench, 1, 50);
   check_every_mistake("finite_half"_law, Quantities::wrench, 1, 50);
@@ -250,5 +278,5 @@ TEST_CASE("verify finite joint: every mistake is named first") {
   check_every_mistake("finite_full"_law, Quantities::pressure, 1, 30);
   check_every_mistake("finite_dynamic"_law, Quantities::pressure, 1, 30);
   check_every_mistake("finite_reynolds"_law, Quantities::wrench, 17, 40);
-  check_every_mistake("finite_reynolds"_law, Quantities::pressure, 23, 15);
+  check_every_mistake("finite_reynolds"_law, Quantities::pressure, 7, 20);
 }

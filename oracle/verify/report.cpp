@@ -146,8 +146,9 @@ std::string headline(const Verification& v) {
     case Verdict::agrees:
       return fmt::format("agrees{}: {}, {} states{}, {}", domain, law, j.judged(), open, precision);
     case Verdict::agrees_to_digits:
-      return fmt::format("agrees to {} digits where 1 - e/c >= 0.1{}: {}, {} states{}",
-                         static_cast<int>(std::floor(v.digits.digits + 0.05)), domain, law, j.judged(), open);
+      return fmt::format("agrees to {} digits{}{}: {}, {} states{}",
+                         static_cast<int>(std::floor(v.digits.digits + 0.05)),
+                         is_solved_film(j.law) ? "" : " where 1 - e/c >= 0.1", domain, law, j.judged(), open);
     case Verdict::disagrees:
       return fmt::format("disagrees{}: {}, {} of {} states fail{}, {}", domain, law, j.failing.size(), j.judged(), open,
                          precision);

@@ -43,6 +43,9 @@ inline void check_every_mistake(verify::Law law, verify::Quantities quantities, 
     const verify::Answers answers = mistaken_answers(quantities, law, states, {mistake});
     const verify::Verification v = judged(law, quantities, states, answers);
     if (v.verdict == Verdict::agrees || v.verdict == Verdict::undecided) continue;  // without effect, or no number
+    // R + c for R is half a percent: a few of the tolerances to which a film that ruptures is solved.
+    if (law == verify::law_of("finite_reynolds") && v.verdict == Verdict::agrees_to_digits && v.digits.digits > 2)
+      continue;
     INFO(name_of(law) << ", " << name_of(quantities) << ", " << mistake->name << ":\n" << text_report(v));
     REQUIRE(!v.suspicions.empty());
     CHECK(v.suspicions[0].names({mistake}));

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "oracle/verify/gallery/gallery.hpp"
+#include "oracle/verify/states/solved_films.hpp"
 
 namespace lubjoint::verify {
 
@@ -10,10 +11,15 @@ namespace {
 using S = Solution;
 
 bool of_length(Quantities q, Law law) {
-  return is_solved_film(law) && (is_table(q) || q == Quantities::wrench || q == Quantities::transition ||
-                                 q == Quantities::pressure);
+  return is_solved_film(law) &&
+         (is_table(q) || q == Quantities::wrench || q == Quantities::transition || q == Quantities::pressure);
 }
 bool flow_of_length(Quantities q, Law law) { return q == Quantities::losses && is_solved_film(law) && !is_full(law); }
+
+bool of_an_onset(Quantities q, Law law) {
+  const bool is_asked_of_both = q != Quantities::coefficients && q != Quantities::losses;
+  return law == "finite_reynolds"_law && of_length(q, law) && is_asked_of_both;
+}
 
 }  // namespace
 
@@ -49,6 +55,11 @@ std::vector<Mistake> length_mistakes() {
        "The film carries twice as much: the journal lies nearer to the centre, or e × F is doubled",
        of_length,
        {{Step::scale, [](S& s) { s.scale *= 2; }}}},
+      {"other_onset",
+       "The film begins at the maximum film where a free onset is asked for, or the other way round",
+       "Right in squeeze; wrong in steady rotation",
+       of_an_onset,
+       {{Step::shape, [](S& s) { s.films = &s.films->with_other_onset(); }}}},
       {"flow_of_short_bearing",
        "The side flow is that of a bearing without length, where nothing flows around it: cRL|a| of half films, "
        "cRL√(a² + 4b²) of others",

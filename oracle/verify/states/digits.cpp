@@ -115,6 +115,11 @@ DigitProfile digit_profile(const Judgement& judgement) {
   const bool steady_at_centre = loses_steadily(judgement, {0.5, 0.05, 5e-3, 1e-4, 0}, &Reference::ratio);
   if (!steady_at_centre || moderate.empty()) moderate.insert(moderate.end(), central.begin(), central.end());
   profile.digits = moderate.empty() ? 0 : quantile(moderate, 0.01);
+  if (!is_solved_film(judgement.law)) return profile;
+  profile.digits = 17;
+  for (std::size_t i = 0; i < judgement.comparisons.size(); ++i) {
+    if (counts(judgement, i)) profile.digits = std::min(profile.digits, judgement.comparisons[i].digits);
+  }
   return profile;
 }
 

@@ -253,6 +253,10 @@ class BySolver final : public SolvedFilms {
     return pressure;
   }
 
+  const SolvedFilms& with_other_onset() const override {  // kept as long as the process
+    return *solved_films(onset_ == FilmOnset::free ? FilmOnset::maximum_film : FilmOnset::free, threads_);
+  }
+
  private:
   /// A state at the rate one, to 36 digits of two: what a mistake multiplies with is the same film.
   struct UnitFilm {

@@ -29,6 +29,9 @@ class SolvedFilms {
   /// @param theta  from the maximum film [rad]; @param zeta  z/R. Zero outside of the film, and of the bearing.
   virtual SolvedPressure pressure(Law film, Real shape, Real ratio, Real a, Real b, Real theta, Real zeta) const = 0;
 
+  /// The same films with the other onset.
+  virtual const SolvedFilms& with_other_onset() const = 0;
+
   static constexpr double least_ratio = 0.002;
   static constexpr double largest_ratio = 0.975;
 };
