@@ -54,9 +54,9 @@ TEST_CASE("sparse Jacobian: its solutions are those of the full one, real and co
     Eigen::MatrixXd full;
     chain.ode.jacobian(chain.start, full, 0.0);
     const Eigen::Index size = full.rows();
-    ConstrainedShiftedSolver<double> solver(size);
+    ConstrainedShiftedSolver<double, 1> solver(size);
     for (const double shift : {1e2, 1e5}) {
-      solver.factorise(sparse, shift, 0.7 * shift, 0.8 * shift);
+      solver.factorise(sparse, shift, {0.7 * shift}, {0.8 * shift});
       Eigen::VectorXd r(size), s(size), x(size);
       for (Eigen::Index i = 0; i < size; ++i) {
         r(i) = std::sin(1.0 + static_cast<double>(i * i));
@@ -72,7 +72,7 @@ TEST_CASE("sparse Jacobian: its solutions are those of the full one, real and co
       right.real() = r;
       right.imag() = s;
       const Eigen::VectorXcd solution = complex_shifted.partialPivLu().solve(right);
-      solver.solve_in_place(r, s);
+      solver.solve_in_place(0, r, s);
       CHECK((r - solution.real()).norm() < 1e-9 * solution.norm());  // likewise
       CHECK((s - solution.imag()).norm() < 1e-9 * solution.norm());  // likewise
     }
@@ -89,7 +89,7 @@ TEST_CASE("sparse Jacobian: a chain of any length takes as many passes") {
 TEST_CASE("sparse Jacobian: steps of Radau IIA are those with the full one") {
   Chain chain(busy_chain(15));
   const StepTolerance<double, run_time_size> tolerance{0, std::vector<double>(chain.start.size(), 1e-8), 1e-8, 0};
-  RadauIntegrator<double, run_time_size> full(tolerance);
+  RadauIntegrator<double, run_time_size, 3> full(tolerance);
   ConstrainedRadau<double> sparse(chain.ode, tolerance);
   std::vector<double> one = chain.start, other = chain.start;
   double t_one = 0, dt_one = 1e-4, t_other = 0, dt_other = 1e-4;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <catch2/catch.hpp>
 
@@ -81,6 +82,45 @@ TEST_CASE("step interpolant: where rates are not to be relied on, it is the cubi
   }
 }
 
+TEST_CASE("step interpolant: with its middle, places are of degree 8 and integrals of degree 5") {
+  const auto power = [](double t, int k) { return std::pow(t - 0.3, k); };
+  for (int k = 0; k <= 9; ++k) {
+    INFO("degree " << k);
+    const auto state = [&](double t) {
+      return std::vector<double>{power(t, k), k == 0 ? 0 : k * power(t, k - 1), power(t, k)};
+    };
+    const auto rate = [&](double t) {
+      const double slope = k == 0 ? 0 : k * power(t, k - 1);
+      return std::vector<double>{slope, k < 2 ? 0 : k * (k - 1) * power(t, k - 2), slope};
+    };
+    StepInterpolant<std::vector<double>> step;
+    step.t_old = 0.5;
+    step.t_new = 2;
+    step.y_old = state(0.5);
+    step.y_new = state(2);
+    step.rate_old = rate(0.5);
+    step.rate_new = rate(2);
+    step.has_middle = true;
+    step.y_middle = state(1.25);
+    step.rate_middle = rate(1.25);
+    std::vector<double> y;
+    double place = 0;
+    double integral = 0;
+    for (const double t : {0.5, 0.7, 1.2, 1.25, 1.3, 1.9, 2.0}) {
+      step.state_at(t, 1, y);
+      const double size = power(2, k);
+      place = std::max({place, std::abs(y[0] - state(t)[0]) / size, std::abs(y[1] - state(t)[1]) / size});
+      integral = std::max(integral, std::abs(y[2] - state(t)[2]) / size);
+      CHECK(step.integral_at(t, 2) == y[2]);
+    }
+    // Rounding, of derivatives up to 72 times the value; or what a power too many leaves.
+    if (k <= 8) CHECK(place < 1e-13);
+    if (k == 9) CHECK(place > 1e-6);
+    if (k <= 5) CHECK(integral < 1e-13);
+    if (k == 6) CHECK(integral > 1e-4);
+  }
+}
+
 TEST_CASE("second-order systems are recognised by their Jacobian, and nothing else is") {
   Eigen::MatrixXd j = Eigen::MatrixXd::Zero(6, 6);  // two coordinates, two rows of work
   j.block(0, 2, 2, 2).setIdentity();
@@ -145,6 +185,13 @@ TEST_CASE("auto: an explicit method where stability asks for fewer than four tim
   CHECK(choice(100, 399, 1e-4) == "dopri5");
   CHECK(choice(100, 401, 1e-4) == "radau_iia5");
   CHECK(detail::choose_integrator({false, 1, 0, true}, 1e-7).name == "radau_iia5");
+  // Order 9 where tolerances are tight, in independent coordinates.
+  const auto of_stiff = [](bool independent, double tolerance) {
+    return detail::choose_integrator({true, 100, 1e6, false, independent}, tolerance).name;
+  };
+  CHECK(of_stiff(true, 1e-9) == "radau_iia9");
+  CHECK(of_stiff(true, 1.1e-9) == "radau_iia5");
+  CHECK(of_stiff(false, 1e-9) == "radau_iia5");
 }
 
 TEST_CASE("equations of motion: the derivative with respect to time is exact, and its vector needs no size") {

@@ -101,7 +101,7 @@ TEST_CASE("a free journal on a smooth law holds no multipliers, no contact, no l
   const std::string journal = symbols_of(LUBJOINT_SMOOTH_JOURNAL_ALONE);
   const std::string mechanics = symbols_of(LUBJOINT_ENTERED_FUNCTIONS);
   CHECK(has(journal, "lubjoint::SmoothMode"));
-  CHECK(has(journal, "lubjoint::RadauIIA5<double, 4ul, "));
+  CHECK(has(journal, "lubjoint::RadauIIA<double, 4ul, 3, "));
   Words absent{"PlanarSystem", "EnvelopeCholesky", "ConstraintRow", "JointElement",
                "fill_powers",  "toms748",          "ContactPhase"};
   absent.insert(absent.end(), contact_functions.begin(), contact_functions.end());

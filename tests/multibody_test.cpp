@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "lubjoint/multibody/assembly.hpp"
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 #include "support/initial_value_problems.hpp"
 
 using namespace lubjoint;
@@ -22,23 +22,43 @@ Eigen::Matrix<R, 3, 3> printed_matrix() {
   return a;
 }
 
-template <class R>
-double tableau_defect() {
-  const RadauTableau<R>& tab = RadauTableau<R>::instance();
-  Eigen::Matrix<R, 3, 3> blocks;
-  blocks << tab.gamma, R(0), R(0), R(0), tab.alpha, -tab.beta, R(0), tab.beta, tab.alpha;
-  const Eigen::Matrix<R, 3, 3> a_inverse = printed_matrix<R>().inverse();
-  const Eigen::Matrix<R, 3, 3> defect = tab.t_inverse * a_inverse * tab.t - blocks;
+/// A of s stages from its definition: it integrates powers below s from 0 to each abscissa.
+template <class R, int Stages>
+Eigen::Matrix<R, Stages, Stages> collocation_matrix() {
+  const auto& c = RadauTableau<R, Stages>::instance().c;
+  Eigen::Matrix<R, Stages, Stages> powers;
+  Eigen::Matrix<R, Stages, Stages> integrals;
+  for (int i = 0; i < Stages; ++i) {
+    R power(1);
+    for (int k = 0; k < Stages; ++k) {
+      powers(i, k) = power;
+      power *= c(i);
+      integrals(i, k) = power / R(k + 1);
+    }
+  }
+  return integrals * powers.inverse();
+}
+
+template <class R, int Stages>
+double tableau_defect(const Eigen::Matrix<R, Stages, Stages>& a) {
+  const auto& tab = RadauTableau<R, Stages>::instance();
+  Eigen::Matrix<R, Stages, Stages> blocks = Eigen::Matrix<R, Stages, Stages>::Zero();
+  blocks(0, 0) = tab.gamma;
+  for (std::size_t pair = 0; pair < tab.alpha.size(); ++pair) {
+    const auto first = static_cast<Eigen::Index>(2 * pair + 1);
+    blocks.template block<2, 2>(first, first) << tab.alpha[pair], -tab.beta[pair], tab.beta[pair], tab.alpha[pair];
+  }
+  const Eigen::Matrix<R, Stages, Stages> defect = tab.t_inverse * a.inverse() * tab.t - blocks;
   return static_cast<double>(defect.norm() / std::numeric_limits<R>::epsilon());
 }
 
 /// A controlled run to the end of the problem; error and accepted steps.
-template <class R, class Problem>
+template <int Stages, class R, class Problem>
 std::pair<double, double> controlled_run(const Problem& problem, const R& tolerance) {
   using State = typename Problem::State;
   State absolute;
   absolute.fill(tolerance);
-  RadauIIA5<R, Problem::dimension> stepper(tolerance, absolute);
+  RadauIIA<R, Problem::dimension, Stages> stepper(tolerance, absolute);
   const auto system = odeint_system<R>(problem);
   State x = problem.exact(R(0));
   R t = 0;
@@ -53,12 +73,12 @@ std::pair<double, double> controlled_run(const Problem& problem, const R& tolera
 }
 
 /// Fixed steps: every error is accepted. Exact for linear problems alone, whose stages need no second iteration.
-template <class Problem>
+template <int Stages, class Problem>
 double fixed_step_error(const Problem& problem, int steps, double* inside = nullptr) {
   using State = typename Problem::State;
   State absolute;
   absolute.fill(1e20);
-  RadauIIA5<double, Problem::dimension> stepper(0.5, absolute);
+  RadauIIA<double, Problem::dimension, Stages> stepper(0.5, absolute);
   const auto system = odeint_system<double>(problem);
   State x = problem.exact(0);
   double t = 0;
@@ -79,29 +99,57 @@ double fixed_step_error(const Problem& problem, int steps, double* inside = null
 }  // namespace
 
 TEST_CASE("radau tableau: T⁻¹A⁻¹T is the real eigenvalue and the complex pair, to rounding, A as printed") {
-  CHECK(tableau_defect<double>() < 500);       // rounding of an inverse and two products, condition number 30
-  CHECK(tableau_defect<long double>() < 500);  // the same
+  // Rounding of an inverse and two products, condition number 30.
+  CHECK(tableau_defect<double, 3>(printed_matrix<double>()) < 500);
+  CHECK(tableau_defect<long double, 3>(printed_matrix<long double>()) < 500);
+  // Of the matrix of powers of the abscissae, too, condition number 2000, and of its inverse.
+  CHECK(tableau_defect<double, 3>(collocation_matrix<double, 3>()) < 1000);
+  CHECK(tableau_defect<double, 5>(collocation_matrix<double, 5>()) < 20000);
+  CHECK(tableau_defect<long double, 5>(collocation_matrix<long double, 5>()) < 20000);
+}
+
+TEST_CASE("radau tableau: the last row of A is a quadrature that is exact below degree 2s − 1, and not beyond") {
+  const auto miss = []<int Stages>(std::integral_constant<int, Stages>, int degree) {
+    const auto a = collocation_matrix<long double, Stages>();
+    const auto& c = RadauTableau<long double, Stages>::instance().c;
+    long double sum = 0;
+    for (int i = 0; i < Stages; ++i) sum += a(Stages - 1, i) * std::pow(c(i), static_cast<long double>(degree));
+    return static_cast<double>(std::abs(sum - 1.0L / (degree + 1)));
+  };
+  for (int degree = 0; degree < 5; ++degree) CHECK(miss(std::integral_constant<int, 3>(), degree) < 1e-17);  // rounding
+  for (int degree = 0; degree < 9; ++degree) CHECK(miss(std::integral_constant<int, 5>(), degree) < 1e-16);  // rounding
+  // ∫M²x/(x − 1)-like remainders: those of x⁵ and x⁹.
+  CHECK(miss(std::integral_constant<int, 3>(), 5) > 1e-4);
+  CHECK(miss(std::integral_constant<int, 5>(), 9) > 1e-6);
 }
 
 TEST_CASE("radau tableau: the abscissae are the roots of d²/dx² x²(x − 1)³, and the eigenvalues those of A⁻¹") {
-  const RadauTableau<double>& tab = RadauTableau<double>::instance();
+  const auto& tab = RadauTableau<double, 3>::instance();
   for (int i = 0; i < 3; ++i) {
     const double c = tab.c(i);
     CHECK(std::abs(2 * (c - 1) * (10 * c * c - 8 * c + 1)) < 1e-15);     // rounding; half the second derivative
     CHECK(std::abs(printed_matrix<double>().row(i).sum() - c) < 1e-15);  // rounding; Σ_j a_ij = c_i
   }
-  for (const std::complex<double> z : {std::complex<double>(tab.gamma, 0), {tab.alpha, tab.beta}}) {
+  for (const std::complex<double> z : {std::complex<double>(tab.gamma, 0), {tab.alpha[0], tab.beta[0]}}) {
     // det(zI − A⁻¹) = z³ − 9z² + 36z − 60, from the denominator 1 − 3z/5 + 3z²/20 − z³/60 of the stability function
     CHECK(std::abs(((z - 9.0) * z + 36.0) * z - 60.0) < 1e-12);  // rounding of terms of size 200
   }
-  CHECK(tab.beta > 0);
+  CHECK(tab.beta[0] > 0);
+  const auto& more = RadauTableau<double, 5>::instance();
+  for (const std::complex<double> z :
+       {std::complex<double>(more.gamma, 0), {more.alpha[0], more.beta[0]}, {more.alpha[1], more.beta[1]}}) {
+    // From the denominator Σ binomial(5, j) (9 − j)!/9! (−z)ʲ.
+    CHECK(std::abs(((((z - 25.0) * z + 300.0) * z - 2100.0) * z + 8400.0) * z - 15120.0) < 1e-9);  // of terms of 1e5
+  }
+  CHECK(more.beta[0] > 0);
+  CHECK(more.beta[1] > 0);
 }
 
 TEST_CASE("radau: observed order 5 against accepted steps on an autonomous nonlinear problem") {
   std::vector<double> steps;
   std::vector<double> error;
   for (const long double tolerance : {1e-6L, 1e-8L, 1e-10L, 1e-12L, 1e-14L}) {
-    const auto run = controlled_run<long double>(Logistic<long double>(), tolerance);
+    const auto run = controlled_run<3, long double>(Logistic<long double>(), tolerance);
     steps.push_back(run.second);
     error.push_back(run.first);
     CHECK(run.first < 10 * static_cast<double>(tolerance));  // the promise: error of the order of the tolerance
@@ -116,7 +164,7 @@ TEST_CASE("radau: observed order 5 against accepted steps on a non-autonomous pr
   std::vector<double> steps;
   std::vector<double> error;
   for (const long double tolerance : {1e-6L, 1e-8L, 1e-10L, 1e-12L, 1e-14L}) {
-    const auto run = controlled_run<long double>(Driven<long double>(), tolerance);
+    const auto run = controlled_run<3, long double>(Driven<long double>(), tolerance);
     steps.push_back(run.second);
     error.push_back(run.first);
   }
@@ -126,11 +174,106 @@ TEST_CASE("radau: observed order 5 against accepted steps on a non-autonomous pr
   CHECK(order < 5.5);  // as above
 }
 
+TEST_CASE("radau: observed order 9 against accepted steps, autonomous and not") {
+  const auto order_of = [](const auto& problem) {
+    std::vector<double> steps;
+    std::vector<double> error;
+    for (const long double tolerance : {1e-12L, 1e-14L, 1e-16L}) {  // with fewer digits it is all start
+      const auto run = controlled_run<5, long double>(problem, tolerance);
+      steps.push_back(run.second);
+      error.push_back(run.first);
+      CHECK(run.first < 10 * static_cast<double>(tolerance));  // the promise: error of the order of the tolerance
+    }
+    return observed_order(steps, error);
+  };
+  for (const double order : {order_of(Logistic<long double>()), order_of(Driven<long double>())}) {
+    INFO("order " << order);
+    CHECK(order > 8.3);   // 9, less what the controller scatters over four decades of error
+    CHECK(order < 10.7);  // the same, and what is left of the start: a few of twenty steps
+  }
+}
+
+TEST_CASE("radau: observed order 9 with fixed steps on a linear problem, 5 or more between the steps") {
+  double coarse_inside = 0;
+  double fine_inside = 0;
+  const double coarse = fixed_step_error<5>(ProtheroRobinson<double>{-1}, 1, &coarse_inside);
+  const double fine = fixed_step_error<5>(ProtheroRobinson<double>{-1}, 4, &fine_inside);
+  const double order = std::log(coarse / fine) / std::log(4);
+  INFO("order " << order << ", inside " << std::log(coarse_inside / fine_inside) / std::log(4));
+  CHECK(order > 8.6);  // 9 as the step goes to 0
+  CHECK(order < 9.6);  // the same
+  CHECK(std::log(coarse_inside / fine_inside) / std::log(4) > 5);
+  CHECK(fine_inside > fine);
+}
+
+TEST_CASE("radau: a step that is let end inside is the shorter step, and a look inside changes nothing") {
+  const auto check = []<int Stages>(std::integral_constant<int, Stages>) {
+    using Stepper = RadauIIA<double, 2, Stages>;
+    using State = std::array<double, 2>;
+    const auto system = odeint_system<double>(Driven<double>());
+    const auto begin = [&](Stepper& stepper, State& x, double& t) {
+      double dt = 0.4;
+      x = Driven<double>::exact(0.5);
+      t = 0.5;
+      REQUIRE(stepper.try_step(system, x, t, dt) == odeint::success);
+      return dt;
+    };
+    const State tolerances{1e-3, 1e-3};
+    State x;
+    double t;
+    Stepper looked_at(1e-3, tolerances);
+    State inside{};
+    State slope{};
+    CHECK_FALSE(looked_at.middle(system, inside, slope));  // no step yet
+    double dt = begin(looked_at, x, t);
+    State one{};
+    State between{};
+    Stepper short_step(1e-3, tolerances);
+    State y = Driven<double>::exact(0.5);
+    double s = 0.5;
+    double ds = (t - 0.5) / 2;
+    REQUIRE(short_step.try_step(system, y, s, ds) == odeint::success);
+    REQUIRE(looked_at.middle(system, inside, slope));
+    State rate{};
+    Driven<double>::rate(inside, rate, s);
+    CHECK(distance(rate, slope) < 1e-4);  // as is the state below, over a fifth of a second
+    looked_at.state_at(s, between);
+    // Both to what Newton's iterations leave, 0.03 of 0.1 τ^{2/3} or of 0.1 τ^{3/5}; the polynomial is further off.
+    CHECK(distance(inside, y) < 1e-4);
+    CHECK(distance(inside, Driven<double>::exact(s)) < distance(between, Driven<double>::exact(s)) / 10);
+    const auto counts = looked_at.counts();
+    // The next step is, bit by bit, the one that nobody has looked before.
+    Stepper plain(1e-3, tolerances);
+    double d_plain = begin(plain, one, t);
+    CHECK(counts.newton_iterations == plain.counts().newton_iterations);
+    double t_plain = t;
+    REQUIRE(plain.try_step(system, one, t_plain, d_plain) == odeint::success);
+    REQUIRE(looked_at.try_step(system, x, t, dt) == odeint::success);
+    CHECK(t == t_plain);
+    CHECK(x == one);
+    CHECK(dt == d_plain);
+    // Let end inside, it goes on from there.
+    Stepper cut(1e-3, tolerances);
+    begin(cut, x, t);
+    REQUIRE(cut.end_at(system, s, x));
+    CHECK(x == inside);  // half of the step, by the same iterations
+    t = s;
+    double rest = 0.2;
+    REQUIRE(cut.try_step(system, x, t, rest) == odeint::success);
+    CHECK(t == s + 0.2);
+    CHECK(distance(x, Driven<double>::exact(t)) < 1e-3);  // the tolerance
+    cut.reset();
+    CHECK_FALSE(cut.middle(system, inside, slope));
+  };
+  check(std::integral_constant<int, 3>());
+  check(std::integral_constant<int, 5>());
+}
+
 TEST_CASE("radau: observed order 5 with fixed steps on a linear non-autonomous problem, 3 or more between the steps") {
   double coarse_inside = 0;
   double fine_inside = 0;
-  const double coarse = fixed_step_error(ProtheroRobinson<double>{-1}, 4, &coarse_inside);
-  const double fine = fixed_step_error(ProtheroRobinson<double>{-1}, 16, &fine_inside);
+  const double coarse = fixed_step_error<3>(ProtheroRobinson<double>{-1}, 4, &coarse_inside);
+  const double fine = fixed_step_error<3>(ProtheroRobinson<double>{-1}, 16, &fine_inside);
   const double order = std::log(coarse / fine) / std::log(4);
   INFO("order " << order << ", inside " << std::log(coarse_inside / fine_inside) / std::log(4));
   CHECK(order > 4.8);                                              // 5 as the step goes to 0
@@ -140,11 +283,11 @@ TEST_CASE("radau: observed order 5 with fixed steps on a linear non-autonomous p
 }
 
 TEST_CASE("radau: a stiff problem costs no more steps than a mild one, and stays on its solution") {
-  const auto mild = controlled_run<double>(ProtheroRobinson<double>{-1}, 1e-8);
-  const auto stiff = controlled_run<double>(ProtheroRobinson<double>{-1e6}, 1e-8);
+  const auto mild = controlled_run<3, double>(ProtheroRobinson<double>{-1}, 1e-8);
+  const auto stiff = controlled_run<3, double>(ProtheroRobinson<double>{-1e6}, 1e-8);
   CHECK(stiff.second <= 2 * mild.second);
-  CHECK(stiff.first < 1e-7);                                            // ten times the tolerance
-  CHECK(fixed_step_error(ProtheroRobinson<double>{-1e6}, 20) < 1e-10);  // h⁴/|λ|: 1e-4/1e6
+  CHECK(stiff.first < 1e-7);                                               // ten times the tolerance
+  CHECK(fixed_step_error<3>(ProtheroRobinson<double>{-1e6}, 20) < 1e-10);  // h⁴/|λ|: 1e-4/1e6
 }
 
 TEST_CASE("radau: van der Pol's oscillator at 1/ε = 1e6 ends where the literature says, in few steps") {
@@ -215,7 +358,14 @@ TEST_CASE("radau: tolerances that are zero, negative, not a number or not below 
   }
 }
 
+TEST_CASE("radau: of order 9 a stiff problem costs few steps, too") {
+  const auto mild = controlled_run<5, double>(ProtheroRobinson<double>{-1}, 1e-8);
+  const auto stiff = controlled_run<5, double>(ProtheroRobinson<double>{-1e6}, 1e-8);
+  CHECK(stiff.second <= 2 * mild.second);
+  CHECK(stiff.first < 1e-7);  // ten times the tolerance
+}
+
 TEST_CASE("radau: in long double the error goes below what double can hold") {
-  const auto run = controlled_run<long double>(Logistic<long double>(), 1e-18L);
+  const auto run = controlled_run<3, long double>(Logistic<long double>(), 1e-18L);
   CHECK(run.first < 1e-16);  // double: 2e-16 a step and hundreds of steps
 }

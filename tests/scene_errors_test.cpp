@@ -173,7 +173,7 @@ TEST_CASE("Scene: a law or an integrator that is not there is refused with the l
   check_refused(journal_text().with("joints[0].film", "\"Short_Half\""), film, {"did you mean short_half?"});
   const std::size_t integrator = journal_text().field("integrator.name").line;
   check_refused(journal_text().with("integrator.name", "\"radau\""), integrator,
-                {"allowed is one of radau_iia5, rosenbrock4, dopri5, fehlberg78"});
+                {"allowed is one of radau_iia5, radau_iia9, rosenbrock4, dopri5, fehlberg78"});
   check_refused(journal_text().with("integrator.name", "\"dopri\""), integrator, {"did you mean dopri5?"});
 }
 

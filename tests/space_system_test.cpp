@@ -333,7 +333,7 @@ TEST_CASE("space: implicit steps solve six equations a body, and give what all t
   const double gamma = 2e4, alpha = 1.5e4, beta = 1e4;
   for (const Eigen::MatrixXd& j : {jacobian, other}) {
     ShiftedSolver<double, Eigen::Dynamic> solver(j.rows());
-    solver.factorise(j, gamma, alpha, beta);
+    solver.factorise(j, gamma, {alpha}, {beta});
     const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(j.rows(), -1, 2);
     const Eigen::VectorXd also = Eigen::VectorXd::LinSpaced(j.rows(), 3, 1);
     const Eigen::VectorXd right = gamma * wanted - j * wanted;
@@ -348,7 +348,7 @@ TEST_CASE("space: implicit steps solve six equations a body, and give what all t
     Eigen::VectorXd real = alpha * wanted - beta * also - j * wanted;
     Eigen::VectorXd imaginary = alpha * also + beta * wanted - j * also;
     const Eigen::VectorXd r = real, s = imaginary;
-    solver.solve_in_place(real, imaginary);
+    solver.solve_in_place(0, real, imaginary);
     const Eigen::VectorXd sizes = real.cwiseAbs() + imaginary.cwiseAbs();
     CHECK(near_zero(alpha * real - beta * imaginary - j * real - r, sizes));
     CHECK(near_zero(alpha * imaginary + beta * real - j * imaginary - s, sizes));

@@ -14,6 +14,7 @@ struct StiffnessMeasure {
   double pilot_steps = 0;      ///< of radau_iia5 at pilot_tolerance
   double stability_steps = 0;  ///< that the stability of dopri5 asks for, however loose the tolerance
   bool smooth = false;         ///< no film and no contact, whose forces have kinks that an order of 8 does not see
+  bool independent = false;    ///< are its states free of constraints, and of the size of a clearance?
 };
 
 inline constexpr double pilot_tolerance = 1e-4;

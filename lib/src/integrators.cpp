@@ -36,7 +36,9 @@ constexpr Method method(std::string_view name, bool is_stiff) {
 }
 
 template <std::size_t N>
-using Radau = RadauIntegrator<double, N>;
+using Radau5 = RadauIntegrator<double, N, 3>;
+template <std::size_t N>
+using Radau9 = RadauIntegrator<double, N, 5>;
 template <std::size_t N>
 using Dopri5 = Dopri5Integrator<double, N>;
 template <std::size_t N>
@@ -44,7 +46,8 @@ using Fehlberg78 = Fehlberg78Integrator<double, N>;
 
 constexpr bool stiff = true;
 constexpr bool not_stiff = false;
-constexpr std::array methods = {method<Radau>("radau_iia5", stiff),
+constexpr std::array methods = {method<Radau5>("radau_iia5", stiff),
+                                method<Radau9>("radau_iia9", stiff),
                                 method<detail::Rosenbrock4Integrator>("rosenbrock4", stiff),
                                 method<Dopri5>("dopri5", not_stiff),
                                 method<Fehlberg78>("fehlberg78", not_stiff),

@@ -61,7 +61,9 @@ MultibodyTrajectory simulate_multibody(const Scene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   detail::IntegratorChoice choice{scene.integrator, ""};
   if (scene.integrator == automatic_integrator) {
-    choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
+    detail::StiffnessMeasure measure = measure_stiffness(scene, prepared);
+    measure.independent = coordinates.independent;
+    choice = detail::choose_integrator(measure, scene.run.relative_tolerance);
   }
   MultibodyOde<double> ode(prepared.system, scene.energy_ledger);
   RunSettings settings = scene.run;

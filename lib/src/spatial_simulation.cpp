@@ -49,7 +49,9 @@ SpatialTrajectory simulate_spatial(const SpatialScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   detail::IntegratorChoice choice{scene.integrator, ""};
   if (scene.integrator == automatic_integrator) {
-    choice = detail::choose_integrator(measure_stiffness(scene, prepared), scene.run.relative_tolerance);
+    detail::StiffnessMeasure measure = measure_stiffness(scene, prepared);
+    measure.independent = coordinates.independent;
+    choice = detail::choose_integrator(measure, scene.run.relative_tolerance);
   }
   SpatialOde<double> ode(prepared.system, scene.energy_ledger);
   const std::size_t integrals = ode.dimension() - ode.mechanical_states();

@@ -21,7 +21,7 @@ struct SceneOptions : reports::SceneSettings {
   void add_run(CLI::App& command) {
     command.add_option(
         "--integrator", integrator,
-        "radau_iia5, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer,\nadams_bashforth_moulton, or auto");
+        "radau_iia5, radau_iia9, rosenbrock4, dopri5, fehlberg78,\nbulirsch_stoer, adams_bashforth_moulton, or auto");
     command.add_option("--rtol", rtol, "Relative tolerance; also the absolute one, in clearances");
     command.add_option("--duration", duration, "Time to simulate [s]");
   }

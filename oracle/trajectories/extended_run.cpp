@@ -18,7 +18,7 @@ using Real = long double;
 
 template <std::size_t N>
 std::unique_ptr<Integrator<Real, N>> integrator_of(ExtendedMethod method, const StepTolerance<Real, N>& tolerance) {
-  if (method == ExtendedMethod::radau) return std::make_unique<RadauIntegrator<Real, N>>(tolerance);
+  if (method == ExtendedMethod::radau) return std::make_unique<RadauIntegrator<Real, N, 3>>(tolerance);
   return std::make_unique<Fehlberg78Integrator<Real, N>>(tolerance);
 }
 

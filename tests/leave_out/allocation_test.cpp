@@ -9,7 +9,7 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/motion/film_modes.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 #include "support/compiled_films.hpp"

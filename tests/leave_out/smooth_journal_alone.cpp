@@ -4,7 +4,7 @@
 #include "lubjoint/film/pinkus_sternlicht.hpp"
 #include "lubjoint/motion/film_modes.hpp"
 #include "lubjoint/ode/exact_jacobian.hpp"
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 
 int main() {
   using Law = lubjoint::PinkusSternlicht;

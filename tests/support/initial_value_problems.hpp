@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 
 namespace lubjoint::test {
 

@@ -113,7 +113,8 @@ def simulate(scene: Union[str, os.PathLike[str], None] = None, *, text: Optional
     scene       path of a scene file (TOML), or
     text        a scene's text in place of a file
     law         film law of all joints that have a film, a name of laws(); as the scene says, if left out; likewise
-    integrator  radau_iia5, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer, adams_bashforth_moulton or auto
+    integrator  radau_iia5, radau_iia9, rosenbrock4, dopri5, fehlberg78, bulirsch_stoer, adams_bashforth_moulton
+                or auto
     rtol        relative tolerance, 1e-14 to below 1; also the absolute one, in clearances
     duration    [s]
     after       extremes from this time on, too [s], in the key "after" of the summary's joints and drivers; in the plane

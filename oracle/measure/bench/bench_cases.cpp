@@ -38,6 +38,10 @@ class JournalProblem final : public RaceProblem<4> {
     exact_jacobian([this](const auto& x, auto& dxdt) { journal_.rate(x, dxdt); }, y, j);
   }
   void time_slope(const State&, State& slope, const double&) override { slope.fill(0); }
+  void kinks(const State& y, const double&, std::vector<double>& values) override {
+    values.clear();
+    if (journal_.joint().kinks()) values.push_back(y[0] * y[2] + y[1] * y[3]);
+  }
   State start() const override { return start_; }
   StepTolerance<double, 4> tolerance(double relative) const override {
     const double velocity = relative * velocity_scale_;
@@ -79,6 +83,10 @@ class MinimalProblem final : public RaceProblem<4> {
       rate(y, near, t + shift * h);
       for (std::size_t i = 0; i < 4; ++i) slope[i] += weight / (12 * h) * near[i];
     }
+  }
+  void kinks(const State& y, const double& t, std::vector<double>& values) override {
+    const auto pin = mechanism_.pin(t, State{y[0], y[1], y[2] / speed_, y[3] / speed_});
+    values.assign(1, dot(pin.eccentricity, pin.velocity));
   }
   State start() const override { return {0, 0, 0, 0}; }
   StepTolerance<double, 4> tolerance(double relative) const override {

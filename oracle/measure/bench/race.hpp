@@ -192,7 +192,8 @@ class RaceCase final : public BenchCase {
     problem_->rate(y, step.rate_new, t);
     integrator.refine_end_rate(step.rate_new);
     step.smooth_rates = integrator.has_smooth_rates();
-    integrator.see_inside(step);
+    step.has_middle = false;
+    integrator.see_inside(*problem_, step);
     for (; next < times_.size() && times_[next] <= t + 1e-13 * duration_; ++next) {
       problem_->state_at(step, times_[next], inside);
       problem_->look(times_[next], inside, seen);

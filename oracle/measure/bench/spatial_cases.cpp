@@ -45,7 +45,7 @@ class SpatialMinimalProblem final : public RaceProblem<6> {
   std::unique_ptr<Integrator<double, 6>> integrator(const std::string& method, double relative) override {
     if (method == "dopri5") return std::make_unique<Dopri5Integrator<double, 6>>(tolerance(relative));
     if (method == "fehlberg78") return std::make_unique<Fehlberg78Integrator<double, 6>>(tolerance(relative));
-    return std::make_unique<RadauIntegrator<double, 6>>(tolerance(relative));
+    return std::make_unique<RadauIntegrator<double, 6, 3>>(tolerance(relative));
   }
   bool is_admissible(double, const State& y) override {
     if (!std::all_of(y.begin(), y.end(), [](double each) { return std::isfinite(each); })) return false;

@@ -47,6 +47,12 @@ concept FilmLaw = (PolarLaw<Law> || VectorLaw<Law>)&&requires {
   { Law::extent } -> std::convertible_to<FilmExtent>;
 };
 
+/// A law whose header says that it kinks where b changes sign.
+template <class Law>
+concept KinkedLaw = requires {
+  requires Law::kinks;
+};
+
 /// A half film: its force jumps where a changes sign, and what it does on either side can be asked for.
 template <class Law>
 concept HalfFilmLaw = PolarLaw<Law> && requires {

@@ -27,12 +27,6 @@ namespace lubjoint {
 using FilmLaws =
     std::tuple<ShortFull, ShortHalf, ShortDynamic, LongFull, LongHalf, LongHalfEq5, LongDynamic, PinkusSternlicht>;
 
-/// A law whose header says that it kinks where b changes sign.
-template <class Law>
-concept KinkedLaw = requires {
-  requires Law::kinks;
-};
-
 /// What each law's header says of it, in the order of a list.
 template <class Laws>
 inline constexpr auto facts_of_laws = []<class... Law>(std::type_identity<std::tuple<Law...>>) {

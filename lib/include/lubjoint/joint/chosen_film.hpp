@@ -45,6 +45,7 @@ template <class R>
 struct FilmFunctions {
   std::string_view law;  ///< its name
   BearingLimit limit;    ///< its force scale
+  bool kinks;            ///< is it at most once differentiable where b changes sign?
   /// F/S at a state, of a bearing of that L/D.
   Vector2<R> (*ratio)(const FilmState<R>& film, const FilmShape<R>& shape);
   /// The same with its derivatives.
@@ -94,7 +95,8 @@ Vector2<R> velocity_in_bearing(const Vector2<R>& e_hat, const R& q, const Vector
 
 template <class Law, class R>
 constexpr FilmFunctions<R> functions_of_law() {
-  FilmFunctions<R> functions{Law::name, Law::limit, &ratio_in_bearing<Law, R>, &slopes_in_bearing<Law, R>, nullptr};
+  FilmFunctions<R> functions{
+      Law::name, Law::limit, KinkedLaw<Law>, &ratio_in_bearing<Law, R>, &slopes_in_bearing<Law, R>, nullptr};
   if constexpr (moves_massless_journal<Law>) functions.velocity = &velocity_in_bearing<Law, R>;
   return functions;
 }
@@ -152,6 +154,7 @@ class ChosenFilm {
 
   const Bearing<R>& bearing() const { return bearing_; }  ///< L, R, c
   const R& force_scale() const { return scale_; }         ///< S [N s]
+  bool kinks() const { return functions_->kinks; }        ///< is it at most once differentiable where b changes sign?
 
   /// Force on the journal [N], inertial.
   /// @throws FilmDomainError where |e| ≥ c

@@ -23,7 +23,8 @@ template <class Law, class R>
 requires FilmLaw<Law> || CompiledLaw<Law>
 class LubricatedJoint {
  public:
-  static constexpr bool jumps = JumpingLaw<Law>;  ///< where a changes sign
+  static constexpr bool jumps = JumpingLaw<Law>;            ///< where a changes sign
+  static constexpr bool kinks() { return KinkedLaw<Law>; }  ///< is it at most once differentiable where b changes sign?
 
   /// Forms the force scale, once.
   LubricatedJoint(const Bearing<R>& bearing, const Lubricant<R>& oil) requires FilmLaw<Law>

@@ -6,7 +6,7 @@
 
 #include "lubjoint/motion/constrained_motion_jacobian.hpp"
 #include "lubjoint/ode/constrained_jacobian.hpp"
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 
 namespace lubjoint {
 

@@ -6,7 +6,8 @@
 ///
 /// A mode has: dimension; coordinates, how many of its states are places whose rates are states, too; rate(y, dydt, t)
 /// on any scalar (or its own jacobian(y, j)), and time_slope(t, slope), its partial derivative by the time; journal(t,
-/// y), the state ê, w that it stands for; force(t, y); and margins(t, y), positive while the mode lasts.
+/// y), the state ê, w that it stands for; force(t, y); margins(t, y), positive while the mode lasts; and, where it may
+/// be at most once differentiable at ε̇ = 0, kinks().
 #pragma once
 
 #include <array>
@@ -39,6 +40,7 @@ class SmoothMode {
   /// On the journal [N].
   Vector2<double> force(double, const std::array<double, 4>& y) const { return journal_.force(y); }
   std::array<double, 0> margins(double, const std::array<double, 4>&) const { return {}; }  ///< none
+  bool kinks() const { return journal_.joint().kinks(); }  ///< where ε̇ changes sign?
 
  private:
   const FreeJournal<Law>& journal_;
@@ -72,6 +74,7 @@ class MasslessMode {
   /// On the journal [N]: what carries the load.
   Vector2<double> force(double, const std::array<double, 2>&) const { return -journal_.drive().load; }
   std::array<double, 0> margins(double, const std::array<double, 2>&) const { return {}; }  ///< none
+  bool kinks() const { return journal_.joint().kinks(); }  ///< where ε̇ changes sign?
 
  private:
   const MasslessJournal<Law>& journal_;

@@ -101,8 +101,8 @@ class FoundPlaces {
   }
 
  private:
-  std::array<Place, 5> places_;
-  std::array<Moment, 5> moments_;
+  std::array<Place, 7> places_;
+  std::array<Moment, 7> moments_;
   std::size_t latest_ = 0;
   std::size_t spare_ = 1;
   std::size_t counted_ = 0;

@@ -124,6 +124,28 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     }
   }
 
+  /// e·ė of each joint whose film kinks where it closes and opens.
+  void kinks(const State& x, const R& t, std::vector<R>& values) override {
+    values.clear();
+    const std::size_t f = freedoms();
+    bool placed = false;
+    for (std::size_t j = 0; j < system_.joints().size(); ++j) {
+      if (!system_.joints()[j].kinks()) continue;
+      if (const std::size_t k = function_of_joint_[j]; k != not_chosen) {
+        values.push_back(x[k] * x[f + k] + x[k + 1] * x[f + k + 1]);
+        continue;
+      }
+      if (!placed) {
+        expand(t, x, full_);
+        ode_.kinks(full_, t, all_kinks_);
+        placed = true;
+      }
+      std::size_t before = 0;
+      for (std::size_t i = 0; i < j; ++i) before += system_.joints()[i].kinks() ? 1 : 0;
+      values.push_back(all_kinks_[before]);
+    }
+  }
+
   /// λ of all rows of Φ at a state; 0 of those that are left out.
   const std::vector<R>& multipliers(const State& x, const R& t) {
     follow(t, x);
@@ -440,6 +462,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   std::vector<typename In::template Row<Seeded>> seeded_functions_;
   std::vector<Slopes> right_slopes_, slopes_, slopes_work_, v_slopes_, reduced_slopes_;
   std::vector<Seeded> powers_;
+  Full full_;  ///< of a look for kinks
+  std::vector<R> all_kinks_;
 };
 
 }  // namespace lubjoint

@@ -43,6 +43,16 @@ class ModeSystem final : public OdeSystem<double, Mode::dimension> {
   }
   void time_slope(const State&, State& slope, const double& t) override { mode_.time_slope(t, slope); }
 
+  /// ê·w, where the film kinks.
+  void kinks(const State& y, const double& t, std::vector<double>& values) override {
+    values.clear();
+    if constexpr (requires { mode_.kinks(); }) {
+      if (!mode_.kinks()) return;
+      const JournalState<double> at = mode_.journal(t, y);
+      values.push_back(at[0] * at[2] + at[1] * at[3]);
+    }
+  }
+
   static constexpr bool watches() { return has_events; }                    ///< whatever the run
   ModeSystem& equations() { return *this; }                                 ///< of this mode
   static constexpr std::size_t coordinates() { return Mode::coordinates; }  ///< ê or ρ, or none

@@ -52,6 +52,17 @@ class MultibodyOde final : public OdeSystem<R, run_time_size> {
   /// ∂ẏ/∂t, exact.
   void time_slope(const State& y, State& slope, const R& t) override;
 
+  /// e·ė of each joint whose film kinks where it closes and opens.
+  void kinks(const State& y, const R& t, std::vector<R>& values) override {
+    values.clear();
+    for (std::size_t j = 0; j < system_.joints().size(); ++j) {
+      if (!system_.joints()[j].kinks()) continue;
+      if (values.empty()) system_.evaluate_kinematics(t, y.data(), real_);
+      const JournalMotion<R> motion = system_.journal_motion(j, real_);
+      values.push_back(dot(motion.eccentricity, motion.velocity));
+    }
+  }
+
   /// Everything at a state: joints, multipliers, rows. With the memory given, else the current one.
   const SystemWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }
   /// The same, with another memory.

@@ -46,7 +46,8 @@ R cubic_between(const R& x0, const R& x1, const R& v0, const R& v1, const R& h, 
 /// The state inside a step of y = (r, p; ṙ, ω′; work), as StepInterpolant has it for q̇ = v: r and p by quintics, with
 ///   p̈ = ½L(p)ᵀω̇′ + ½L(ṗ)ᵀω′,
 /// p normalised; ṙ and ω′ = 2Lṗ by their derivatives, or, in a step so short that rounding of places spoils those, by
-/// the cubic of velocities and accelerations; work by the cubic. Then step.inside, if there is one.
+/// the cubic of velocities and accelerations; work by the cubic, or, with its middle, by degree 5. Then step.inside, if
+/// there is one.
 template <class R>
 void spatial_state_at(const StepInterpolant<std::vector<R>>& step, std::size_t bodies, const R& t, std::vector<R>& y) {
   using std::abs;
@@ -57,7 +58,9 @@ void spatial_state_at(const StepInterpolant<std::vector<R>>& step, std::size_t b
   const auto cubic = [&](std::size_t i) {
     return detail::cubic_between(step.y_old[i], step.y_new[i], step.rate_old[i], step.rate_new[i], h, s);
   };
-  for (std::size_t i = places; i < y.size(); ++i) y[i] = cubic(i);
+  const std::size_t mechanical = places + spatial_velocities * bodies;
+  for (std::size_t i = places; i < y.size(); ++i)
+    y[i] = step.has_middle && i >= mechanical ? step.integral_at(t, i) : cubic(i);
   struct End {
     SpatialMotion<R> motion;
     Vector3<R> acceleration, spin_rate;

@@ -71,6 +71,17 @@ class SpatialOde final : public OdeSystem<R, run_time_size> {
   /// ∂ẏ/∂t, exact.
   void time_slope(const State& y, State& slope, const R& t) override;
 
+  /// e·ė of each joint whose film kinks where it closes and opens.
+  void kinks(const State& y, const R&, std::vector<R>& values) override {
+    values.clear();
+    for (std::size_t j = 0; j < system_.joints().size(); ++j) {
+      if (!system_.joints()[j].kinks()) continue;
+      if (values.empty()) system_.place(y.data(), workspace());
+      const JournalMotion<R> motion = system_.joint_kinematics(j, real_).motion;
+      values.push_back(dot(motion.eccentricity, motion.velocity));
+    }
+  }
+
   /// Everything at a state: joints, multipliers, rows; with the memory given, or the current one.
   const SpatialWorkspace<R>& at(const R& t, const State& y, const std::vector<JointMemory<R>>& memory);
   const SpatialWorkspace<R>& at(const R& t, const State& y) { return at(t, y, memory_); }  ///< likewise

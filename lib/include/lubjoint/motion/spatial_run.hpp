@@ -56,7 +56,8 @@ class SpatialRun {
       auto step = std::make_shared<MultibodyStep<R>>();
       static_cast<StepInterpolant<State>&>(*step) = accepted;
       step->memory = std::as_const(ode_).memory();
-      step->sampled_by_steps = !is_implicit() || accepted.shortened;
+      const bool outruns_interpolant = method_->is_of_order_nine() && !accepted.inside;
+      step->sampled_by_steps = !is_implicit() || accepted.shortened || outruns_interpolant;
       // The rate at an event is that of a state with the run's errors, which a stiff film multiplies.
       if (is_implicit() && accepted.shortened) step->smooth_rates = false;
       if (!ode_.turns().empty()) count_turns(*step);

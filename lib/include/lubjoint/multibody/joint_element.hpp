@@ -152,6 +152,11 @@ struct JointElement {
     return film && std::visit(jumps, *film);
   }
 
+  /// Is its force at most once differentiable where ε̇ changes sign?
+  bool kinks() const {
+    return film && std::visit([](const auto& of_law) { return of_law.kinks(); }, *film);
+  }
+
   /// Where the journal is, seen from the bearing.
   template <class T>
   JointKinematics<T> kinematics(const PlanarFrame<T>& bearing_body, const PlanarFrame<T>& journal_body) const {

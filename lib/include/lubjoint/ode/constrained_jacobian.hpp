@@ -4,8 +4,10 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
@@ -94,21 +96,25 @@ class ConstrainedFactors {
 
 /// What ShiftedSolver is for a full Jacobian. States behind (q, v) are integrals that nothing depends on: their rates
 /// are taken as they come.
-template <class R>
+/// @tparam Pairs  how many complex systems there are
+template <class R, std::size_t Pairs>
 class ConstrainedShiftedSolver {
  public:
   using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;  ///< a right-hand side
+  using Shares = std::array<R, Pairs>;                 ///< a number for each pair
 
   explicit ConstrainedShiftedSolver(Eigen::Index) {}  ///< takes its memory in the first factorisation
 
-  /// Factorises γI − J and (α + iβ) I − J.
+  /// Factorises γI − J and, for each pair, (α + iβ) I − J.
   /// @param jacobian  kept by reference until the next call;  @throws std::domain_error  one is singular
-  void factorise(const ConstrainedJacobian<R>& jacobian, const R& gamma, const R& alpha, const R& beta) {
+  void factorise(const ConstrainedJacobian<R>& jacobian, const R& gamma, const Shares& alpha, const Shares& beta) {
     jacobian_ = &jacobian;
     gamma_ = gamma;
-    shift_ = {alpha, beta};
     real_.factorise(jacobian, gamma);
-    complex_.factorise(jacobian, shift_);
+    for (std::size_t i = 0; i < Pairs; ++i) {
+      shifts_[i] = {alpha[i], beta[i]};
+      complex_[i].factorise(jacobian, shifts_[i]);
+    }
   }
 
   /// x of the real system.
@@ -119,13 +125,13 @@ class ConstrainedShiftedSolver {
     x.tail(rest) /= gamma_;
   }
 
-  /// Replaces (r, s) by (x, y) of the complex system.
-  void solve_in_place(Vector& real, Vector& imaginary) {
+  /// Replaces (r, s) by (x, y) of the complex system of a pair.
+  void solve_in_place(std::size_t pair, Vector& real, Vector& imaginary) {
     both_.resize(real.size());
     both_.real() = real;
     both_.imag() = imaginary;
-    complex_.solve_in_place(*jacobian_, both_);
-    both_.tail(both_.size() - 2 * jacobian_->coordinates) /= shift_;
+    complex_[pair].solve_in_place(*jacobian_, both_);
+    both_.tail(both_.size() - 2 * jacobian_->coordinates) /= shifts_[pair];
     real = both_.real();
     imaginary = both_.imag();
   }
@@ -133,17 +139,18 @@ class ConstrainedShiftedSolver {
  private:
   const ConstrainedJacobian<R>* jacobian_ = nullptr;
   R gamma_ = 0;
-  std::complex<R> shift_{};
+  std::array<std::complex<R>, Pairs> shifts_{};
   ConstrainedFactors<R, R> real_;
-  ConstrainedFactors<R, std::complex<R>> complex_;
+  std::array<ConstrainedFactors<R, std::complex<R>>, Pairs> complex_;
   Eigen::Matrix<std::complex<R>, Eigen::Dynamic, 1> both_;
 };
 
-/// Linear systems of a step of RadauIIA5 with it.
+/// Linear systems of a step of RadauIIA with it.
 template <class R>
 struct ConstrainedLinear {
-  using Jacobian = ConstrainedJacobian<R>;     ///< of the equations behind ∂f/∂y
-  using Solver = ConstrainedShiftedSolver<R>;  ///< solves for the stages and the estimate
+  using Jacobian = ConstrainedJacobian<R>;  ///< of the equations behind ∂f/∂y
+  template <std::size_t Pairs>
+  using Solver = ConstrainedShiftedSolver<R, Pairs>;  ///< solves for the stages and the estimate
   /// Memory is taken by the first evaluation.
   static void prepare(Jacobian&, Eigen::Index) {}
 };

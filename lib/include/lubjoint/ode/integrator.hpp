@@ -36,6 +36,9 @@ class OdeSystem {
   virtual void rate(const State& y, State& dydt, const R& t) = 0;         ///< f
   virtual void jacobian(const State& y, Jacobian& j, const R& t) = 0;     ///< ∂f/∂y
   virtual void time_slope(const State& y, State& slope, const R& t) = 0;  ///< ∂f/∂t
+  /// Numbers whose changes of sign are kinks: f has one derivative there that is continuous, and no second one. Always
+  /// as many.
+  virtual void kinks(const State&, const R&, std::vector<R>& values) { values.clear(); }
 };
 
 /// What a run of an integrator has cost beyond evaluations of f.
@@ -88,8 +91,11 @@ class Integrator {
   virtual void refine_end_rate(State&) const {}
 
   /// Gives the last step the motion inside it as the method sees it, if it sees more than the states at its ends and
-  /// their rates, which are there.
-  virtual void see_inside(StepInterpolant<State>&) {}
+  /// their rates, which are there. Later steps are the same with it and without.
+  virtual void see_inside(System&, StepInterpolant<State>&) {}
+
+  /// Is its error per step that of order 9? Others follow a smooth motion no better than a quintic does.
+  virtual bool is_of_order_nine() const { return false; }
 
   /// Is the rate at the ends of a step good enough to interpolate accelerations by?
   virtual bool has_smooth_rates() const { return true; }

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lubjoint/ode/radau_iia5.hpp"
+#include "lubjoint/ode/radau_iia.hpp"
 
 namespace lubjoint {
 

@@ -1,5 +1,11 @@
-/// The real and the complex linear system of a step of Radau IIA(5).
+/// The real and the complex linear systems of a step of Radau IIA.
 #pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include "lubjoint/ode/complex_shift_solver.hpp"
 #include "lubjoint/ode/kinematic_solver.hpp"
@@ -7,21 +13,26 @@
 
 namespace lubjoint {
 
-/// (γI − J) x = r and ((α + iβ) I − J)(x + iy) = r + is, for one J and many right-hand sides. Equations of motion are
-/// recognised by their Jacobian's form and solved at half the size, or, of bodies in space, at 6/13 of it.
-template <class R, int N>
+/// (γI − J) x = r and, of each pair of eigenvalues, ((α + iβ) I − J)(x + iy) = r + is, for one J and many right-hand
+/// sides. Equations of motion are recognised by their Jacobian's form and solved at half the size, or, of bodies in
+/// space, at 6/13 of it.
+/// @tparam Pairs  how many complex systems there are
+template <class R, int N, std::size_t Pairs = 1>
 class ShiftedSolver {
  public:
   using Vector = Eigen::Matrix<R, N, 1>;  ///< a right-hand side
   using Matrix = Eigen::Matrix<R, N, N>;  ///< J
+  using Shares = std::array<R, Pairs>;    ///< a number for each pair
 
   /// Takes the memory for n states where N is given; else the first factorisation does, of what it needs.
   explicit ShiftedSolver(Eigen::Index n)
-      : shifted_(Matrix::Identity(start_size(n), start_size(n))), real_(shifted_), complex_(start_size(n)) {}
+      : shifted_(Matrix::Identity(start_size(n), start_size(n))),
+        real_(shifted_),
+        complex_(complex_of_size(start_size(n), std::make_index_sequence<Pairs>())) {}
 
-  /// Factorises γI − J and (α + iβ) I − J.
+  /// Factorises γI − J and, for each pair, (α + iβ) I − J.
   /// @param jacobian  kept by reference until the next call
-  void factorise(const Matrix& jacobian, const R& gamma, const R& alpha, const R& beta) {
+  void factorise(const Matrix& jacobian, const R& gamma, const Shares& alpha, const Shares& beta) {
     gamma_ = gamma;
     alpha_ = alpha;
     beta_ = beta;
@@ -34,7 +45,8 @@ class ShiftedSolver {
         jacobian_ = &jacobian;
         reduced_states_ = 2 * coordinates_;
         real_reduced_.factorise(jacobian, coordinates_, gamma);
-        complex_reduced_.factorise(jacobian, coordinates_, Complex(alpha, beta));
+        for (std::size_t i = 0; i < Pairs; ++i)
+          complex_reduced_[i].factorise(jacobian, coordinates_, Complex(alpha[i], beta[i]));
         return;
       }
     }
@@ -44,14 +56,15 @@ class ShiftedSolver {
       if (bodies > 0) {
         jacobian_ = &jacobian;
         real_in_space_.factorise(jacobian, bodies, gamma);
-        complex_in_space_.factorise(jacobian, bodies, Complex(alpha, beta));
+        for (std::size_t i = 0; i < Pairs; ++i)
+          complex_in_space_[i].factorise(jacobian, bodies, Complex(alpha[i], beta[i]));
         return;
       }
     }
     shifted_ = -jacobian;
     shifted_.diagonal().array() += gamma;
     real_.compute(shifted_);
-    complex_.factorise(jacobian, alpha, beta);
+    for (std::size_t i = 0; i < Pairs; ++i) complex_[i].factorise(jacobian, alpha[i], beta[i]);
   }
 
   /// x of the real system.
@@ -75,15 +88,15 @@ class ShiftedSolver {
     x.noalias() = real_.solve(r);
   }
 
-  /// Replaces (r, s) by (x, y) of the complex system.
-  void solve_in_place(Vector& real, Vector& imaginary) {
+  /// Replaces (r, s) by (x, y) of the complex system of a pair.
+  void solve_in_place(std::size_t pair, Vector& real, Vector& imaginary) {
     if constexpr (can_reduce) {
       if (coordinates_ > 0) {
         both_.resize(real.size());
         both_.real() = real;
         both_.imag() = imaginary;
-        complex_reduced_.solve_in_place(both_, coordinates_);
-        solve_work(both_, Complex(alpha_, beta_));
+        complex_reduced_[pair].solve_in_place(both_, coordinates_);
+        solve_work(both_, Complex(alpha_[pair], beta_[pair]));
         real = both_.real();
         imaginary = both_.imag();
         return;
@@ -94,14 +107,14 @@ class ShiftedSolver {
         both_.resize(real.size());
         both_.real() = real;
         both_.imag() = imaginary;
-        complex_in_space_.solve_in_place(both_);
-        solve_work(both_, Complex(alpha_, beta_));
+        complex_in_space_[pair].solve_in_place(both_);
+        solve_work(both_, Complex(alpha_[pair], beta_[pair]));
         real = both_.real();
         imaginary = both_.imag();
         return;
       }
     }
-    complex_.solve_in_place(real, imaginary);
+    complex_[pair].solve_in_place(real, imaginary);
   }
 
  private:
@@ -109,6 +122,11 @@ class ShiftedSolver {
   static constexpr bool may_be_in_space = std::is_floating_point_v<R> && N == Eigen::Dynamic;
   static constexpr int half = N == Eigen::Dynamic ? Eigen::Dynamic : (N + 1) / 2;
   using Complex = std::complex<std::conditional_t<std::is_floating_point_v<R>, R, double>>;
+
+  template <std::size_t... I>
+  static std::array<ComplexShiftSolver<R, N>, Pairs> complex_of_size(Eigen::Index n, std::index_sequence<I...>) {
+    return {(static_cast<void>(I), ComplexShiftSolver<R, N>(n))...};
+  }
 
   static constexpr Eigen::Index start_size(Eigen::Index n) { return N == Eigen::Dynamic ? 0 : n; }
 
@@ -123,19 +141,21 @@ class ShiftedSolver {
     }
   }
 
-  R gamma_ = 0, alpha_ = 0, beta_ = 0;
+  R gamma_ = 0;
+  Shares alpha_{}, beta_{};
   Eigen::Index coordinates_ = 0;
   Eigen::Index reduced_states_ = 0;  ///< (q, v) of equations of motion that were recognised; behind them is work
   const Matrix* jacobian_ = nullptr;
   SecondOrderSolver<R, half> real_reduced_;
-  SecondOrderSolver<Complex, half> complex_reduced_;
+  std::array<SecondOrderSolver<Complex, half>, Pairs> complex_reduced_;
   struct Nothing {};
   [[no_unique_address]] std::conditional_t<may_be_in_space, KinematicSolver<R>, Nothing> real_in_space_;
-  [[no_unique_address]] std::conditional_t<may_be_in_space, KinematicSolver<Complex>, Nothing> complex_in_space_;
+  [[no_unique_address]] std::conditional_t<may_be_in_space, std::array<KinematicSolver<Complex>, Pairs>, Nothing>
+      complex_in_space_;
   Eigen::Matrix<Complex, N, 1> both_ = Eigen::Matrix<Complex, N, 1>::Zero(N == Eigen::Dynamic ? 0 : N);
   Matrix shifted_;
   Eigen::PartialPivLU<Matrix> real_;
-  ComplexShiftSolver<R, N> complex_;
+  std::array<ComplexShiftSolver<R, N>, Pairs> complex_;
 };
 
 }  // namespace lubjoint

@@ -131,6 +131,7 @@ class EventRun {
       step_.rate_old = step_.rate_new;
       step_.shortened = false;
       step_.inside = {};
+      step_.has_middle = false;
       const R wanted = dt;
       const R goal = next_stop(t);
       const bool last = dt >= goal - t;
@@ -168,6 +169,7 @@ class EventRun {
             step_.y_new = y;
             step_.shortened = true;
             step_.inside = {};
+            step_.has_middle = false;
             system_.equations().rate(y, step_.rate_new, t);
             if (!observe(step_, stepped_at, stepped_at)) return {RunEnd::refused, 0};
           } else if (++at_once > most_at_once) {
@@ -186,7 +188,7 @@ class EventRun {
           system_.equations().rate(y, step_.rate_new, t);
           method_.refine_end_rate(step_.rate_new);
           step_.y_new = y;
-          method_.see_inside(step_);
+          method_.see_inside(system_.equations(), step_);
         }
       }
       if (!observe(step_, state_at, stepped_at)) return {RunEnd::refused, 0};
@@ -271,7 +273,7 @@ class EventRun {
       return false;
     }
     method_.refine_end_rate(step_.rate_new);
-    method_.see_inside(step_);
+    method_.see_inside(system_.equations(), step_);
     return true;
   }
 

@@ -67,6 +67,7 @@ struct SpatialJointElement {
   BodyAxes<R> journal_at;  ///< the journal's centre P_j and axis n_J
 
   const std::string& name() const { return plane.name; }  ///< in messages and results
+  bool kinks() const { return plane.kinks(); }            ///< is its force at most once differentiable where ε̇ = 0?
 
   /// Where the journal is, seen from the bearing. @throws JournalAcross
   template <class T>
