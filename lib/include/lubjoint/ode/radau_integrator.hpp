@@ -24,7 +24,8 @@ class RadauIntegrator final : public Integrator<R, N> {
 
   /// A stepper without memory.
   explicit RadauIntegrator(const StepTolerance<R, N>& tolerance)
-      : tolerance_(tolerance), stepper_(tolerance.nominal, tolerance.absolute, tolerance.integrals) {
+      : tolerance_(tolerance),
+        stepper_(tolerance.nominal * R(share_of_tolerance), scaled(tolerance.absolute), tolerance.integrals) {
     if (tolerance.relative == 0) stepper_.use_absolute_tolerance_only();
   }
 
@@ -61,6 +62,10 @@ class RadauIntegrator final : public Integrator<R, N> {
 
  private:
   static constexpr bool is_of_order_nine_ = Stages > 3;
+  /// In a stiff film the ends of steps of order 9 have errors of their stages' order, 5, which die out in the next step
+  /// and are not what the tolerance of an estimate is made for: with a tenth of it slider-cranks are as near to their
+  /// golden trajectories as with order 5.
+  static constexpr double share_of_tolerance = is_of_order_nine_ ? 0.1 : 1;
   /// Share of a step that is not worth one of its own.
   static constexpr double next_to_nothing = 1e-3;
   /// Halvings that find a kink. An error δ of its place leaves one of the order of δ³ in the state.
@@ -69,6 +74,11 @@ class RadauIntegrator final : public Integrator<R, N> {
   static auto parts_of(System& system) {
     return std::make_pair([&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); },
                           [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.jacobian(x, j, s); });
+  }
+
+  static State scaled(State absolute) {
+    for (R& each : absolute) each *= R(share_of_tolerance);
+    return absolute;
   }
 
   /// Lets the step end at the first kink inside it.
