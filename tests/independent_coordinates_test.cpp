@@ -496,6 +496,6 @@ TEST_CASE("independent coordinates, order 9: samples inside the long steps are a
   // What is asked for changes no step, and so no bit of where they end.
   CHECK(few.outcome.steps == many.outcome.steps);
   CHECK(few.samples.back().state == many.samples.back().state);
-  // Steps of order 5 at the same tolerance are three times as many.
-  CHECK(run_with("radau_iia5", 1e-9, 2e-5).outcome.steps > 2.5 * static_cast<double>(many.outcome.steps));
+  // Steps of order 5 at the same tolerance are more than twice as many.
+  CHECK(run_with("radau_iia5", 1e-9, 2e-5).outcome.steps > 2 * many.outcome.steps);
 }

@@ -121,10 +121,10 @@ TEST_CASE("Integrators: observed order of every method of fixed order, autonomou
   }
   // Of order 9 double precision sees but ten to thirty steps, a third of them at the start: more than its order.
   for (const double observed :
-       {order_of<Logistic<double>>("radau_iia9", 1e-8, 1e-13), order_of<Driven<double>>("radau_iia9", 1e-8, 1e-13)}) {
+       {order_of<Logistic<double>>("radau_iia9", 1e-6, 1e-10), order_of<Driven<double>>("radau_iia9", 1e-6, 1e-10)}) {
     CHECK(observed > 8);
   }
-  CHECK(2.5 * controlled_run<Driven<double>>("radau_iia9", 1e-12).steps <
+  CHECK(2 * controlled_run<Driven<double>>("radau_iia9", 1e-12).steps <
         controlled_run<Driven<double>>("radau_iia5", 1e-12).steps);
 }
 
@@ -176,9 +176,9 @@ TEST_CASE("Integrators: of order 9 a step ends at a kink, and what follows is as
   INFO(aware.steps << " steps, error " << aware.error << ", kink missed by " << aware.nearest << "; without kinks "
                    << blind.steps << " steps, error " << blind.error << ", " << blind.nearest);
   CHECK(aware.nearest < 1e-4);  // 2⁻¹² of a step of some 0.3
-  CHECK(blind.nearest > 1e-4);  // nothing leads there
   CHECK(aware.error < 1e-10);   // ten times the tolerance
-  CHECK(blind.steps > aware.steps);
+  CHECK(blind.nearest > 1e-4);  // nothing leads there
+  CHECK(blind.error > 1e-10);   // a step goes across
 }
 
 TEST_CASE("Integrators: methods of variable order gain steadily more per step than any low order") {
@@ -250,7 +250,8 @@ TEST_CASE("Integrators: a rate outside its domain rejects the step, halves it, a
     double dt = 1;
     // These two start with a step in which no state changes by more than its tolerance.
     const bool starts_short = name == "bulirsch_stoer" || name == "adams_bashforth_moulton";
-    const double tried = starts_short ? 1e-6 + 1e-6 * before[0] : 1;
+    // And this one with one in which none changes by more than a thousandth.
+    const double tried = starts_short ? 1e-6 + 1e-6 * before[0] : name == "radau_iia9" ? 1e-3 : 1;
     CHECK_FALSE(method->try_step(wall, x, t, dt));
     CHECK(x == before);
     CHECK(t == 0);

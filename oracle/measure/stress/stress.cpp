@@ -142,6 +142,7 @@ StressAccuracy accuracy_of(const Scene& scene, const StressRun& run, const Stres
   accuracy.rounding = std::numeric_limits<double>::epsilon();
   accuracy.thinnest_film = run.thinnest_film;
   accuracy.steps = run.outcome.steps;
+  accuracy.roundings = static_cast<double>(run.outcome.rhs_evaluations) / 10;
   accuracy.no_digit = leaves_no_digit(scene, run.thinnest_film);
   accuracy.unseen = unseen_error(scene, scene.joints.front(), run.outcome.integrator, run.thinnest_film);
   if (is_free_journal(scene)) {

@@ -50,7 +50,8 @@ const char* stress_status_name(StressStatus status) {
 double expected_error(const StressAccuracy& run, double growth) {
   const auto steps = static_cast<double>(run.steps);
   const double most = std::max(std::min(steps_that_count * run.tolerance, 0.1), 1e-3);
-  const double of_steps = std::min(steps, steps_that_count) * run.tolerance + steps * run.rounding;
+  const double of_steps =
+      std::min(steps, steps_that_count) * run.tolerance + std::max(steps, run.roundings) * run.rounding;
   return std::min(of_steps * growth, most);
 }
 

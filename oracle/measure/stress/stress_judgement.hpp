@@ -34,6 +34,7 @@ struct StressAccuracy {
   double rounding = 0;       ///< of a step [clearances]
   double thinnest_film = 1;  ///< in the run [clearances]
   std::size_t steps = 0;     ///< accepted
+  double roundings = 0;  ///< a tenth of the evaluations, each of which rounds anew: of radau_iia5 one a step
   double rate_share = 1;     ///< over V, what the tolerance of rates refers to; at least 1
   bool no_digit = false;     ///< does its warning say that no digit of velocities and forces is known?
   double unseen = 0;         ///< error of places that its estimate does not see, as its warning says [clearances]
