@@ -467,35 +467,3 @@ TEST_CASE("independent coordinates: a way that a motor makes pass 0 is followed 
     }
   }
 }
-
-TEST_CASE("independent coordinates, order 9: samples inside the long steps are as good as their ends, and cost none") {
-  const auto run_with = [](const std::string& integrator, double tolerance, double interval) {
-    Scene scene = slider_crank();
-    scene.integrator = integrator;
-    scene.run.output_interval = interval;
-    set_tolerance(scene, tolerance);
-    MultibodyTrajectory run = simulate_multibody(scene);
-    REQUIRE(run.outcome.status == RunStatus::finished);
-    return run;
-  };
-  const MultibodyTrajectory fine = run_with("radau_iia5", 1e-13, 2e-5);
-  const MultibodyTrajectory many = run_with("radau_iia9", 1e-9, 2e-5);
-  const MultibodyTrajectory few = run_with("radau_iia9", 1e-9, 1e-3);
-  REQUIRE(many.samples.size() == fine.samples.size());
-  CHECK(many.outcome.steps < fine.samples.size() / 4);  // most samples are inside a step
-  double worst = 0;
-  double worst_force = 0;
-  for (std::size_t i = 1; i < fine.samples.size(); ++i) {
-    const auto& one = many.samples[i].joints[0];
-    const auto& other = fine.samples[i].joints[0];
-    worst = std::max(worst, (one.eccentricity - other.eccentricity).norm() / 2e-4);
-    worst_force = std::max(worst_force, (one.force - other.force).norm());
-  }
-  CHECK(worst < 1e-8);        // ten tolerances; the quintic of a step's ends is off by 1e-5
-  CHECK(worst_force < 5e-3);  // [N] of 2700: damping of the film times that; order 5 is off by 1.4e-3
-  // What is asked for changes no step, and so no bit of where they end.
-  CHECK(few.outcome.steps == many.outcome.steps);
-  CHECK(few.samples.back().state == many.samples.back().state);
-  // Steps of order 5 at the same tolerance are more than twice as many.
-  CHECK(run_with("radau_iia5", 1e-9, 2e-5).outcome.steps > 2 * many.outcome.steps);
-}

@@ -18,6 +18,9 @@ constexpr double stability_reach = 3.3;
 /// An explicit step of order 5 costs 6 evaluations; one of Radau about 25, its Jacobian and factors counted.
 constexpr double implicit_step_cost = 4;
 
+/// One of radau_iia9, likewise: seven Newton iterations of five stages where its tolerances are tight.
+constexpr double order_nine_step_cost = 7.5;
+
 /// From this tolerance down radau_iia9 is the faster one, samples and records included; above, its steps cost more for
 /// the same tolerance and are nearer than it asks. In absolute coordinates steps so long make more of the rounding of
 /// places than of errors.
@@ -59,10 +62,13 @@ IntegratorChoice choose_integrator(const StiffnessMeasure& measure, double relat
   const double stability_steps = measure.stability_steps / stability_reach;
   const std::string counts = "stability asks an explicit method for " + rounded(stability_steps) +
                              " steps, accuracy for about " + rounded(accuracy_steps);
-  if (stability_steps > implicit_step_cost * accuracy_steps) {
-    const bool order_nine = measure.independent && relative_tolerance <= order_nine_from;
-    return {order_nine ? "radau_iia9" : "radau_iia5", "stiff: " + counts};
+  const bool stiff = stability_steps > implicit_step_cost * accuracy_steps;
+  if (measure.independent && (stiff || !measure.smooth) && relative_tolerance <= order_nine_from) {
+    const double order_nine_steps = measure.pilot_steps * std::pow(pilot_tolerance / relative_tolerance, 0.1);
+    if (std::max(stability_steps, accuracy_steps) > order_nine_step_cost * order_nine_steps)
+      return {"radau_iia9", (stiff ? "stiff: " : "") + counts + ", order 9 for about " + rounded(order_nine_steps)};
   }
+  if (stiff) return {"radau_iia5", "stiff: " + counts};
   const bool high_order = measure.smooth && relative_tolerance < high_order_below;
   return {high_order ? "fehlberg78" : "dopri5", "not stiff: " + counts};
 }

@@ -1,10 +1,13 @@
 /// Odeint's rosenbrock4, corrected, behind the common interface.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "lubjoint/ode/scaled_system.hpp"
+#include "lubjoint/ode/short_start.hpp"
 #include "rosenbrock4.hpp"
 
 namespace lubjoint::detail {
@@ -22,6 +25,7 @@ class Rosenbrock4Integrator final : public Integrator<double, N> {
 
   bool try_step(System& system, State& y, double& t, double& dt) override {
     const double t_before = t;
+    if (std::exchange(starts_, false)) dt = std::min(dt, short_start(system, tolerance_, y, t));
     const double tried = dt;
     system_ = &system;
     scaled_.scale(y, z_);
@@ -49,7 +53,9 @@ class Rosenbrock4Integrator final : public Integrator<double, N> {
   }
   void replace_state(const State&) override {}  // it remembers no state, only step lengths and errors
   std::unique_ptr<Integrator<double, N>> fresh() const override {
-    return std::make_unique<Rosenbrock4Integrator>(tolerance_);
+    auto another = std::make_unique<Rosenbrock4Integrator>(tolerance_);
+    another->starts_ = starts_;
+    return another;
   }
   bool has_smooth_rates() const override { return false; }  // no better than its error times an eigenvalue
   std::size_t looks_inside() const override { return 4; }
@@ -91,6 +97,7 @@ class Rosenbrock4Integrator final : public Integrator<double, N> {
   JacobianOf<double, N> jacobian_;
   System* system_ = nullptr;
   std::unique_ptr<Rosenbrock4> stepper_;
+  bool starts_ = true;  ///< no step was tried in this motion
   StepperCounts counts_;
 };
 

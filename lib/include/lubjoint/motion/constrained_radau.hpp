@@ -1,12 +1,14 @@
 /// Radau IIA(5) for long chains and trees in absolute coordinates.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "lubjoint/motion/constrained_motion_jacobian.hpp"
 #include "lubjoint/ode/constrained_jacobian.hpp"
 #include "lubjoint/ode/radau_iia.hpp"
+#include "lubjoint/ode/short_start.hpp"
 
 namespace lubjoint {
 
@@ -29,13 +31,16 @@ class ConstrainedRadau final : public Integrator<R, run_time_size> {
     auto rate = [&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); };
     auto jacobian = [this](const State& x, ConstrainedJacobian<R>& j, const R& s) { jacobian_->evaluate(s, x, j); };
     auto parts = std::make_pair(rate, jacobian);
+    if (std::exchange(starts_, false)) dt = std::min(dt, short_start(system, tolerance_, y, t));
     return stepper_.try_step(std::ref(parts), y, t, dt) == boost::numeric::odeint::success;
   }
   void reset() override { stepper_.reset(); }
   /// The step's end, moved onto the constraints.
   void replace_state(const State& y) override { stepper_.replace_state(y); }
   std::unique_ptr<Integrator<R, run_time_size>> fresh() const override {
-    return std::unique_ptr<Integrator<R, run_time_size>>(new ConstrainedRadau(ode_, tolerance_, jacobian_));
+    auto another = std::unique_ptr<ConstrainedRadau>(new ConstrainedRadau(ode_, tolerance_, jacobian_));
+    another->starts_ = starts_;
+    return another;
   }
   /// The rate at the last step's end, from its stages.
   void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
@@ -55,6 +60,7 @@ class ConstrainedRadau final : public Integrator<R, run_time_size> {
   const MultibodyOde<R>& ode_;
   Tolerance tolerance_;
   std::shared_ptr<ConstrainedMotionJacobian<R>> jacobian_;
+  bool starts_ = true;  ///< no step was tried in this motion
   RadauIIA5<R, run_time_size, ConstrainedLinear<R>> stepper_;
 };
 

@@ -101,8 +101,11 @@ class FoundPlaces {
   }
 
  private:
-  std::array<Place, 7> places_;
-  std::array<Moment, 7> moments_;
+  /// Five stages at most, the start, and one to search in.
+  static constexpr std::size_t kept = 7;
+
+  std::array<Place, kept> places_;
+  std::array<Moment, kept> moments_;
   std::size_t latest_ = 0;
   std::size_t spare_ = 1;
   std::size_t counted_ = 0;

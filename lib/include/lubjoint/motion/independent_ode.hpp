@@ -128,21 +128,14 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   void kinks(const State& x, const R& t, std::vector<R>& values) override {
     values.clear();
     const std::size_t f = freedoms();
-    bool placed = false;
     for (std::size_t j = 0; j < system_.joints().size(); ++j) {
       if (!system_.joints()[j].kinks()) continue;
-      if (const std::size_t k = function_of_joint_[j]; k != not_chosen) {
-        values.push_back(x[k] * x[f + k] + x[k + 1] * x[f + k + 1]);
-        continue;
-      }
-      if (!placed) {
+      const std::size_t k = function_of_joint_[j];
+      if (k == not_chosen) {
         expand(t, x, full_);
-        ode_.kinks(full_, t, all_kinks_);
-        placed = true;
+        return ode_.kinks(full_, t, values);
       }
-      std::size_t before = 0;
-      for (std::size_t i = 0; i < j; ++i) before += system_.joints()[i].kinks() ? 1 : 0;
-      values.push_back(all_kinks_[before]);
+      values.push_back(x[k] * x[f + k] + x[k + 1] * x[f + k + 1]);
     }
   }
 
@@ -463,7 +456,6 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   std::vector<Slopes> right_slopes_, slopes_, slopes_work_, v_slopes_, reduced_slopes_;
   std::vector<Seeded> powers_;
   Full full_;  ///< of a look for kinks
-  std::vector<R> all_kinks_;
 };
 
 }  // namespace lubjoint

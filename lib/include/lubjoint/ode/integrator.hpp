@@ -94,7 +94,8 @@ class Integrator {
   /// their rates, which are there. Later steps are the same with it and without.
   virtual void see_inside(System&, StepInterpolant<State>&) {}
 
-  /// Is its error per step that of order 9? Others follow a smooth motion no better than a quintic does.
+  /// Are its steps of order 9? Then a step is as long as the motion inside it is seen by more than its ends, and what
+  /// it integrates has to be as smooth.
   virtual bool is_of_order_nine() const { return false; }
 
   /// Is the rate at the ends of a step good enough to interpolate accelerations by?

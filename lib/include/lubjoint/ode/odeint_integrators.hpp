@@ -9,8 +9,10 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "lubjoint/ode/scaled_system.hpp"
+#include "lubjoint/ode/short_start.hpp"
 
 namespace lubjoint {
 
@@ -39,11 +41,7 @@ class ScaledIntegrator final : public Integrator<double, N> {
     const auto rate = [&](const std::vector<double>& z, std::vector<double>& dzdt, double s) {
       scaled_.rate(system, z, dzdt, s);
     };
-    try {
-      if (starts_) dt = std::min(dt, short_step(rate, t));
-    } catch (const std::domain_error&) {  // no film at the start: the step says so
-    }
-    starts_ = false;
+    if (std::exchange(starts_, false)) dt = std::min(dt, time_of_a_tolerance(system, tolerance_, y, t));
     const double tried = dt;
     try {
       const bool accepted = stepper_->try_step(rate, z_, t, dt) == boost::numeric::odeint::success;
@@ -74,18 +72,6 @@ class ScaledIntegrator final : public Integrator<double, N> {
   StepperCounts counts() const override { return counts_; }
 
  private:
-  /// In which no state changes by more than its tolerance.
-  template <class Rate>
-  double short_step(const Rate& rate, double t) const {
-    std::vector<double> dzdt(z_.size());
-    rate(z_, dzdt, t);
-    double fastest = 0;
-    for (std::size_t i = 0; i < z_.size(); ++i) {
-      fastest = std::max(fastest, std::abs(dzdt[i]) / (tolerance_.nominal + tolerance_.relative * std::abs(z_[i])));
-    }
-    return fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity();
-  }
-
   StepTolerance<double, N> tolerance_;
   ScaledSystem<double, N> scaled_;
   std::unique_ptr<typename Make::Stepper> stepper_;

@@ -16,17 +16,6 @@
 
 namespace lubjoint {
 
-/// Linear systems of a step with the Jacobian as a full matrix.
-template <class R, std::size_t N>
-struct FullLinear {
-  static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);  ///< of Eigen's matrices
-  using Jacobian = Eigen::Matrix<R, dimension, dimension>;                                     ///< ∂f/∂y
-  template <std::size_t Pairs>
-  using Solver = ShiftedSolver<R, dimension, Pairs>;  ///< solves for the stages and the estimate
-  /// Takes the memory for n states.
-  static void prepare(Jacobian& jacobian, Eigen::Index n) { jacobian.setZero(n, n); }
-};
-
 /// Radau IIA of s stages, order 2s − 1, L-stable, with step-size control: a controlled stepper in Odeint's sense, so
 /// that it runs in Odeint's integrate functions. The system is a pair (f, jacobian) as for Odeint's rosenbrock4:
 ///   f(x, dxdt, t) and jacobian(x, J, t), J an Eigen::Matrix<R, N, N>; time derivatives are not needed.
@@ -95,7 +84,7 @@ class RadauIIA {
   void replace_state(const state_type& x) {
     x_ = x;
     rate_is_current_ = false;
-    jacobian_is_of_this_state_ = false;
+    jacobian_is_new_ = false;
   }
 
   /// One trial step. On success x, t are advanced and dt is the next step's length; on failure dt is reduced.
@@ -108,20 +97,20 @@ class RadauIIA {
     try {
       if (!rate_is_current_) evaluate(parts.first, x_, t_, f_);
       rate_is_current_ = true;
+      start_stages(dt);
       if (!jacobian_is_usable_) {
-        ++counts_.jacobians;
-        parts.second(x_, jacobian_, t_);
+        evaluate_jacobian(parts.second, dt);
         if (!jacobian_.allFinite() || !f_.allFinite()) return fail(dt, R(0.5));
         jacobian_is_usable_ = true;
         jacobian_is_known_ = true;
-        jacobian_is_of_this_state_ = true;
+        jacobian_is_new_ = true;
         factorised_for_ = 0;
       }
       if (factorised_for_ != dt) factorise(dt);
-      if (!solve_stages(parts.first, dt)) {
-        // An older Jacobian may be to blame: the same step again with a new one.
-        const bool try_new_jacobian = !jacobian_is_of_this_state_;
-        jacobian_is_usable_ = jacobian_is_of_this_state_;
+      if (!iterate(parts.first, dt)) {
+        // An older Jacobian may be to blame: the same step again with a new one. Or the guess that it was evaluated at.
+        const bool try_new_jacobian = !jacobian_is_new_;
+        jacobian_is_usable_ = jacobian_is_new_ && !jacobian_is_ahead_;
         return try_new_jacobian ? fail(dt, R(1)) : diverge(dt);
       }
       R error = estimate(parts.first, dt);
@@ -186,7 +175,7 @@ class RadauIIA {
     set_scale();
     std::swap(f_, f_end_);
     rate_is_current_ = true;
-    jacobian_is_of_this_state_ = false;
+    jacobian_is_new_ = false;
     return true;
   }
 
@@ -197,12 +186,20 @@ class RadauIIA {
 
  private:
   static constexpr auto stages = static_cast<std::size_t>(Stages);
+  static constexpr std::size_t middle_stage = stages / 2;  ///< at 0.645 or 0.584 of the step
+  /// The order in which f is evaluated: a system may still know where the Jacobian was.
+  static constexpr auto middle_first = [] {
+    std::array<std::size_t, stages> order{};
+    for (std::size_t i = 0; i < stages; ++i) order[i] = i;
+    std::swap(order[0], order[middle_stage]);
+    return order;
+  }();
   using AllStages = std::array<Vector, stages>;
   using Tableau = RadauTableau<R, Stages>;
   using Index = Eigen::Index;
 
   // In a film a hundredth of a clearance thick it is not the error that limits a step, but how far the stages may go
-  // before the Jacobian of its start has nothing to do with them: Newton's iterations get slow, then diverge. A step
+  // before the one Jacobian has nothing to do with them: Newton's iterations get slow, then diverge. A step
   // aims at a rate of convergence at which they cost least for the time they bring (h over their number, with h in
   // proportion to the rate, is largest at 1/e), may take as many as that needs, and comes slowly back to a length at
   // which they have diverged. Measured: a half of the evaluations at 1e-5 where a slider-crank's film is thinnest, none
@@ -317,10 +314,7 @@ class RadauIIA {
     typename boost::numeric::odeint::unwrap_reference<System>::type& parts = system;
     const R end = t_;
     const R h = t - (t_ - h_old_);
-    for (std::size_t i = 0; i < stages; ++i) {
-      state_at(end - h_old_ + tableau_.c(static_cast<Index>(i)) * h, trial_);
-      for (std::size_t k = 0; k < trial_.size(); ++k) z_[i](static_cast<Index>(k)) = trial_[k] - x_old_[k];
-    }
+    guess_stages(R(end - h_old_), x_old_, h);
     std::swap(x_, x_old_);
     t_ = end - h_old_;
     bool found = false;
@@ -336,14 +330,24 @@ class RadauIIA {
     return found;
   }
 
-  /// Simplified Newton iterations for the stage increments z_; false if they do not converge.
+  /// ∂f/∂y at the guess of the middle stage: from there it is half as far to the ends of the step as from its start,
+  /// and Newton's iterations shrink twice as fast. Without a guess, or where it is beyond a wall, at the start.
   template <class F>
-  bool solve_stages(F& f, const R& h) {
-    start_stages(h);
-    return iterate(f, h);
+  void evaluate_jacobian(F& f, const R& h) {
+    ++counts_.jacobians;
+    jacobian_is_ahead_ = has_old_step_ && !last_failed_;
+    if (jacobian_is_ahead_) {
+      try {
+        f(displaced(z_[middle_stage]), jacobian_, t_ + tableau_.c(static_cast<Index>(middle_stage)) * h);
+        if (jacobian_.allFinite()) return;
+      } catch (const std::domain_error&) {
+      }
+    }
+    jacobian_is_ahead_ = false;
+    f(x_, jacobian_, t_);
   }
 
-  /// The same from the increments in z_.
+  /// Simplified Newton iterations for the stage increments, from those in z_; false if they do not converge.
   template <class F>
   bool iterate(F& f, const R& h) {
     using std::pow;
@@ -355,11 +359,9 @@ class RadauIIA {
     newton_rate_ = 0;
     for (iterations_ = 1; iterations_ <= max_newton_iterations; ++iterations_) {
       ++counts_.newton_iterations;
-      Index stage = 0;
-      for (Vector& g : change_) {
-        evaluate(f, displaced(z_[static_cast<std::size_t>(stage)]), t_ + tab.c(stage) * h, g);
-        if (!g.allFinite()) return false;
-        ++stage;
+      for (const std::size_t stage : middle_first) {
+        evaluate(f, displaced(z_[stage]), t_ + tab.c(static_cast<Index>(stage)) * h, change_[stage]);
+        if (!change_[stage].allFinite()) return false;
       }
       combine(tab.t_inverse, change_, g_);
       right_ = g_[0] - (tab.gamma / h) * w_[0];
@@ -404,10 +406,15 @@ class RadauIIA {
       for (Vector& z : z_) z.setZero();
       return;
     }
+    guess_stages(t_, x_, h);
+  }
+
+  /// Those of a step of length h from x at t.
+  void guess_stages(const R& t, const state_type& x, const R& h) {
     Index stage = 0;
     for (Vector& z : z_) {
-      state_at(t_ + tableau_.c(stage++) * h, trial_);
-      for (std::size_t k = 0; k < trial_.size(); ++k) z(static_cast<Index>(k)) = trial_[k] - x_[k];
+      state_at(t + tableau_.c(stage++) * h, trial_);
+      for (std::size_t k = 0; k < trial_.size(); ++k) z(static_cast<Index>(k)) = trial_[k] - x[k];
     }
   }
 
@@ -441,7 +448,7 @@ class RadauIIA {
     R shrink = std::clamp<R>(pow(error, estimate_root) / limit, R(0.125), R(5));
     if (error >= 1) {
       const R next = first_step_ ? R(0.1) : R(1 / shrink);
-      jacobian_is_usable_ = jacobian_is_of_this_state_;
+      jacobian_is_usable_ = jacobian_is_new_;
       return fail(dt, std::min<R>(next, R(0.9)));
     }
     if (!first_step_) {  // Gustafsson's predictive controller
@@ -463,7 +470,7 @@ class RadauIIA {
     std::swap(f_, f_end_);
     rate_is_current_ = true;
     jacobian_is_usable_ = newton_rate_ < R(keep_jacobian_below);
-    jacobian_is_of_this_state_ = false;
+    jacobian_is_new_ = false;
     R next = dt / shrink;
     if (last_failed_) next = std::min<R>(next, dt);
     if (longest_ < std::numeric_limits<R>::max() / 2) longest_ *= R(growth_after_divergence);
@@ -490,7 +497,8 @@ class RadauIIA {
   bool rate_is_current_ = false;
   bool jacobian_is_known_ = false;
   bool jacobian_is_usable_ = false;
-  bool jacobian_is_of_this_state_ = false;
+  bool jacobian_is_new_ = false;    ///< evaluated for this step
+  bool jacobian_is_ahead_ = false;  ///< at a guess, not at a state
   int iterations_ = 0;
   state_type x_{};
   R t_ = 0;

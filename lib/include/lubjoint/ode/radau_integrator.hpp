@@ -10,6 +10,7 @@
 
 #include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/radau_iia.hpp"
+#include "lubjoint/ode/short_start.hpp"
 #include "lubjoint/ode/step_interpolant.hpp"
 
 namespace lubjoint {
@@ -31,13 +32,10 @@ class RadauIntegrator final : public Integrator<R, N> {
 
   bool try_step(System& system, State& y, R& t, R& dt) override {
     const auto parts = parts_of(system);
+    if (std::exchange(starts_, false)) dt = std::min(dt, short_start(system, tolerance_, y, t));
     if constexpr (is_of_order_nine_) {
       const R start = t;
-      if (!has_sides_) {
-        system.kinks(y, t, sides_);
-        begin_short(system, y, t, dt);
-      }
-      has_sides_ = true;
+      if (!std::exchange(has_sides_, true)) system.kinks(y, t, sides_);
       if (stepper_.try_step(std::ref(parts), y, t, dt) != boost::numeric::odeint::success) return false;
       try {
         end_at_kink(system, start, y, t);
@@ -53,7 +51,11 @@ class RadauIntegrator final : public Integrator<R, N> {
     has_sides_ = false;
   }
   void replace_state(const State& y) override { stepper_.replace_state(y); }
-  std::unique_ptr<Integrator<R, N>> fresh() const override { return std::make_unique<RadauIntegrator>(tolerance_); }
+  std::unique_ptr<Integrator<R, N>> fresh() const override {
+    auto another = std::make_unique<RadauIntegrator>(tolerance_);
+    another->starts_ = starts_;
+    return another;
+  }
   void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
   void see_inside(System& system, StepInterpolant<State>& step) override {
     if constexpr (is_of_order_nine_)
@@ -69,8 +71,6 @@ class RadauIntegrator final : public Integrator<R, N> {
   /// and are not what the tolerance of an estimate is made for: with a hundredth of it, which takes a third more steps,
   /// extreme cases are as near to their references, for the steps that they take, as with other methods.
   static constexpr double share_of_tolerance = is_of_order_nine_ ? 0.01 : 1;
-  /// Of a state in a first step, in the unit that its tolerance is a share of.
-  static constexpr double first_change = 1e-3;
   /// Share of a step that is not worth one of its own.
   static constexpr double next_to_nothing = 1e-3;
   /// Halvings that find a kink. An error δ of its place leaves one of the order of δ³ in the state.
@@ -79,18 +79,6 @@ class RadauIntegrator final : public Integrator<R, N> {
   static auto parts_of(System& system) {
     return std::make_pair([&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); },
                           [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.jacobian(x, j, s); });
-  }
-
-  /// A film at rest has a force without derivatives, and so have half films where they begin: no estimate of a first
-  /// step is to be trusted in which rates change by more than a little.
-  void begin_short(System& system, const State& y, const R& t, R& dt) {
-    using std::abs;
-    inside_ = y;
-    system.rate(y, inside_, t);
-    R most(0);
-    for (std::size_t i = 0; i < tolerance_.controlled(); ++i)
-      most = std::max<R>(most, abs(inside_[i]) * tolerance_.nominal / tolerance_.absolute[i]);
-    if (most * dt > R(first_change)) dt = R(first_change) / most;
   }
 
   static State scaled(State absolute) {
@@ -132,6 +120,7 @@ class RadauIntegrator final : public Integrator<R, N> {
 
   StepTolerance<R, N> tolerance_;
   RadauIIA<R, N, Stages> stepper_;
+  bool starts_ = true;  ///< no step was tried in this motion
   bool has_sides_ = false;
   std::vector<R> sides_;  ///< of the kinks at the last step's end
   std::vector<R> ends_, looks_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lubjoint/ode/complex_shift_solver.hpp"
+#include "lubjoint/ode/integrator.hpp"
 #include "lubjoint/ode/kinematic_solver.hpp"
 #include "lubjoint/ode/second_order_solver.hpp"
 
@@ -156,6 +157,17 @@ class ShiftedSolver {
   Matrix shifted_;
   Eigen::PartialPivLU<Matrix> real_;
   std::array<ComplexShiftSolver<R, N>, Pairs> complex_;
+};
+
+/// Linear systems of a step with the Jacobian as a full matrix.
+template <class R, std::size_t N>
+struct FullLinear {
+  static constexpr int dimension = N == run_time_size ? Eigen::Dynamic : static_cast<int>(N);  ///< of Eigen's matrices
+  using Jacobian = Eigen::Matrix<R, dimension, dimension>;                                     ///< ∂f/∂y
+  template <std::size_t Pairs>
+  using Solver = ShiftedSolver<R, dimension, Pairs>;  ///< solves for the stages and the estimate
+  /// Takes the memory for n states.
+  static void prepare(Jacobian& jacobian, Eigen::Index n) { jacobian.setZero(n, n); }
 };
 
 }  // namespace lubjoint
