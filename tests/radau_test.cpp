@@ -287,6 +287,54 @@ TEST_CASE("radau: a stiff problem costs no more steps than a mild one, and stays
   check(std::integral_constant<int, 5>());
 }
 
+TEST_CASE(
+    "radau: the Jacobian is that of the guessed middle stage, or of the start where there is no guess or no film") {
+  // y' = −λ(t) (y − cos t), λ = 100/(1.1 − t)²: in steps of a tenth of what is left λ grows by a quarter.
+  using State = std::array<double, 1>;
+  const auto rate_of = [](double t) { return 100 / ((1.1 - t) * (1.1 - t)); };
+  const auto f = [&](const State& x, State& dxdt, double t) { dxdt = {-rate_of(t) * (x[0] - std::cos(t))}; };
+  struct Run {
+    std::vector<double> shares;  ///< of the step, at which the Jacobian was
+    std::size_t iterations = 0;
+    double error = 0;
+  };
+  const auto run = [&]<int Stages>(std::integral_constant<int, Stages>, bool has_no_middle) {
+    RadauIIA<double, 1, Stages> stepper(1e-4, {1e-4});
+    State x{1};
+    double t = 0;
+    Run result;
+    for (int i = 0; i < 20; ++i) {
+      const double start = t;
+      const double h = (1.1 - t) / 10;
+      const auto j = [&](const State&, auto& m, double when) {
+        if (has_no_middle && when > start) throw std::domain_error("beyond the wall");
+        result.shares.push_back((when - start) / h);
+        m << -rate_of(when);
+      };
+      double dt = h;
+      REQUIRE(stepper.try_step(std::make_pair(f, j), x, t, dt) == odeint::success);
+    }
+    result.iterations = stepper.counts().newton_iterations;
+    result.error = std::abs(x[0] - std::cos(t));
+    return result;
+  };
+  const auto check = [&]<int Stages>(std::integral_constant<int, Stages> stages, double middle) {
+    const Run ahead = run(stages, false);
+    const Run behind = run(stages, true);
+    INFO(ahead.iterations << " iterations, with the start's Jacobians " << behind.iterations);
+    REQUIRE(ahead.shares.size() > 10);
+    CHECK(ahead.shares[0] == 0);
+    for (std::size_t i = 1; i < ahead.shares.size(); ++i)
+      CHECK(ahead.shares[i] == Approx(middle).epsilon(1e-12));  // rounding of a time
+    CHECK(behind.shares == std::vector<double>(behind.shares.size(), 0.0));
+    CHECK(ahead.shares.size() + ahead.iterations < 0.9 * (behind.shares.size() + behind.iterations));
+    CHECK(ahead.error < 1e-3);  // ten tolerances
+    CHECK(behind.error < 1e-3);
+  };
+  check(std::integral_constant<int, 3>(), (4 + std::sqrt(6)) / 10);
+  check(std::integral_constant<int, 5>(), RadauTableau<double, 5>::instance().c(2));
+}
+
 TEST_CASE("radau: van der Pol's oscillator at 1/ε = 1e6 ends where the literature says, in few steps") {
   const auto f = [](const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) {
     dxdt = {x[1], ((1 - x[0] * x[0]) * x[1] - x[0]) * 1e6};
