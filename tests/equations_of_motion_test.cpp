@@ -192,14 +192,17 @@ TEST_CASE("auto: an explicit method where stability asks for fewer than four tim
   CHECK(of_stiff(true, 1e-10) == "radau_iia9");
   CHECK(of_stiff(true, 1.1e-10) == "radau_iia5");
   CHECK(of_stiff(false, 1e-10) == "radau_iia5");
-  // And not only of stiff ones: 100 steps at 1e-4 are 398 of order 9 at 1e-10, each at 7.5 explicit ones.
+  // Below 4e-8 an explicit method follows what dies out: at 1e-10 with 400^(1/5) = 3.31 times the steps of stability.
+  CHECK(choice(100, 1920, 1e-10) == "radau_iia5");  // 4 times the 1585 of accuracy are 6340
+  CHECK(choice(100, 1910, 1e-10) == "fehlberg78");
+  // Of order 9 it is 398 steps there, each of 7.5 explicit ones.
   const auto of_tight = [](double stability_steps, bool smooth) {
     return detail::choose_integrator({true, 100, 3.3 * stability_steps, smooth, true}, 1e-10).name;
   };
-  CHECK(of_tight(2990, false) == "radau_iia9");
-  CHECK(of_tight(2980, false) == "dopri5");
-  CHECK(of_tight(2990, true) == "fehlberg78");
-  CHECK(of_tight(7000, true) == "radau_iia9");  // four times the 1585 of accuracy
+  CHECK(of_tight(910, false) == "radau_iia9");
+  CHECK(of_tight(890, false) == "dopri5");
+  CHECK(of_tight(910, true) == "fehlberg78");
+  CHECK(of_tight(1920, true) == "radau_iia9");
 }
 
 TEST_CASE("equations of motion: the derivative with respect to time is exact, and its vector needs no size") {
