@@ -19,7 +19,7 @@ struct MethodRun {
   bool finished = false;
   std::string message;  ///< why it stopped
   double error = 0;     ///< largest distance from the reference at its times, see Reference
-  double seconds = 0;   ///< processor time: median of the repeats, integration alone
+  double seconds = 0;   ///< processor time: median of the repeats, integration alone, at the usual pace
   double spread = 0;    ///< of the repeats: between their quartiles, over the median
   std::size_t steps = 0;
   std::size_t rejected = 0;
@@ -35,6 +35,8 @@ inline constexpr std::string_view out_of_time = "given up after its share of tim
 struct BenchLimits {
   int repeats = 9;
   double seconds = 1;  ///< of processor time: of one run, and of the repeats from the third on
+  /// How slow the machine is now, beside what is usual: each repeat's time is divided by it. None: by nothing.
+  std::function<double()> pace = {};
 };
 
 /// The integrators that are raced: those of the library, SUNDIALS' and Simbody's if they were built in.

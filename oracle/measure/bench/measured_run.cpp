@@ -20,10 +20,14 @@ MethodRun measured_run(const BenchLimits& limits, const Reference& reference,
   }
   std::vector<double> seconds;
   const double begin = mechanisms::processor_seconds();
+  const auto pace = [&] { return limits.pace ? limits.pace() : 1.0; };
+  double before = pace();
   for (int i = 0; i < limits.repeats; ++i) {
     MethodRun timed = once(nullptr);
     if (!timed.finished) return timed;  // at the edge of its share of time: no time of it is known
-    seconds.push_back(timed.seconds);
+    const double after = pace();
+    seconds.push_back(timed.seconds * 2 / (before + after));
+    before = after;
     result.rhs_evaluations = timed.rhs_evaluations;
     if (i >= 2 && mechanisms::processor_seconds() - begin > limits.seconds) break;
   }

@@ -12,6 +12,7 @@
 #include "oracle/files/kept_rows.hpp"
 #include "oracle/files/progress.hpp"
 #include "oracle/measure/bench/equal_error.hpp"
+#include "oracle/measure/bench/pace.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
 #include "oracle/measure/bench/spatial_cases.hpp"
 #include "oracle/measure/bench/sundials_method.hpp"
@@ -128,6 +129,9 @@ SceneBenchSettings scene_bench_settings(bool quick) {
 
 SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettings& settings,
                         const std::vector<SpatialScene>& in_space) {
+  Pace pace;
+  SceneBenchSettings paced = settings;
+  paced.limits.pace = [&pace] { return pace.now(); };
   std::vector<std::string> files;
   for (const Scene& scene : scenes) files.push_back(scene.file);
   for (const SpatialScene& scene : in_space) files.push_back(scene.file);
@@ -136,7 +140,7 @@ SceneBench bench_scenes(const std::vector<Scene>& scenes, const SceneBenchSettin
   ProgressBar progress("bench", files.size());
   const auto race = [&](const BenchScene& made) {
     bench.references.push_back({made.name, made.golden, made.reference_agreement});
-    for (const auto& each : made.cases) race_case(made.name, *each, settings, ledger, bench.rows);
+    for (const auto& each : made.cases) race_case(made.name, *each, paced, ledger, bench.rows);
     progress.advance();
   };
   for (const Scene& scene : scenes) race(bench_scene(scene));

@@ -73,7 +73,7 @@ class SimbodySpatialCase final : public BenchCase {
   std::vector<std::string> methods() const override { return {"simbody_cpodes"}; }
 
   MethodRun run(const std::string&, double tolerance, const BenchLimits& given) override {
-    const BenchLimits limits{given.repeats, patience * given.seconds};
+    const BenchLimits limits{given.repeats, patience * given.seconds, given.pace};
     return measured_run(limits, reference_, [&](Reference* seen) {
       const auto run = engine_.run(tolerance, duration_, seen ? times_ : std::vector<double>(), limits.seconds);
       if (seen) {
