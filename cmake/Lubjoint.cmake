@@ -46,11 +46,16 @@ function(lubjoint_reuses_precompiled target other)
   endif()
 endfunction()
 
-# lubjoint_in_groups(TARGET): its sources are compiled several at a time. What they share is instantiated once: half the
-# time. Not where each source is to be complete in itself, as with no header precompiled, or lies on a fast path.
+# lubjoint_in_groups(TARGET [SIZE]): its sources are compiled several at a time, 8 by default. What they share is
+# instantiated once: half the time. Not where each source is to be complete in itself, as with no header precompiled, or
+# lies on a fast path.
 function(lubjoint_in_groups target)
+  set(size 8)
+  if(ARGC GREATER 1)
+    set(size ${ARGV1})
+  endif()
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
   endif()
 endfunction()
 

@@ -4,6 +4,8 @@
 
 #include "support/law_property.hpp"
 
+namespace film_homogeneity_test {
+
 using namespace lubjoint;
 
 TEST_CASE("film force is homogeneous of degree one in u: a power of two scales it exactly") {
@@ -21,3 +23,5 @@ TEST_CASE("film force is homogeneous of degree one in u: a power of two scales i
     });
   });
 }
+
+}  // namespace film_homogeneity_test

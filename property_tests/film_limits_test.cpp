@@ -5,6 +5,8 @@
 #include "generators.hpp"
 #include "support/law_property.hpp"
 
+namespace film_limits_test {
+
 using namespace lubjoint;
 using generate::Vec;
 
@@ -126,3 +128,5 @@ TEST_CASE(
     RC_ASSERT(jumps.operator()<LongHalfEq5>());
   });
 }
+
+}  // namespace film_limits_test

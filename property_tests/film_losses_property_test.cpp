@@ -6,6 +6,8 @@
 #include "lubjoint/film/losses.hpp"
 #include "support/law_property.hpp"
 
+namespace film_losses_property_test {
+
 using namespace lubjoint;
 using generate::Vec;
 
@@ -127,3 +129,5 @@ TEST_CASE("twice as fast costs twice the torque and four times the power; thicke
     });
   });
 }
+
+}  // namespace film_losses_property_test

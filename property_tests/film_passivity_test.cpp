@@ -5,6 +5,8 @@
 #include "generators.hpp"
 #include "support/law_property.hpp"
 
+namespace film_passivity_test {
+
 using namespace lubjoint;
 using generate::Vec;
 
@@ -63,3 +65,5 @@ TEST_CASE("in the inertial frame no law is passive: counterexample, whirl slower
     CHECK(force_ratio<Law>(FilmState<double>(e, u)).dot(v) > 0);
   });
 }
+
+}  // namespace film_passivity_test

@@ -7,6 +7,8 @@
 #include "lubjoint/film/mobility.hpp"
 #include "support/law_property.hpp"
 
+namespace film_potential_test {
+
 using namespace lubjoint;
 using generate::Vec;
 using Matrix = Eigen::Matrix2d;
@@ -132,3 +134,5 @@ TEST_CASE("the mobility turns with e and F, and at its velocity the force is F")
     });
   });
 }
+
+}  // namespace film_potential_test

@@ -5,6 +5,8 @@
 #include "generators.hpp"
 #include "support/law_property.hpp"
 
+namespace film_properties_test {
+
 using namespace lubjoint;
 using generate::Vec;
 
@@ -170,3 +172,5 @@ TEST_CASE("polar and vector evaluation of every law are one") {
     });
   });
 }
+
+}  // namespace film_properties_test

@@ -6,6 +6,8 @@
 #include "oracle/reynolds/film_integral.hpp"
 #include "support/law_property.hpp"
 
+namespace film_quadrature_test {
+
 using namespace lubjoint;
 
 TEST_CASE("the force of each of the seven exact laws is the integral of its own pressure field") {
@@ -35,3 +37,5 @@ TEST_CASE("Pinkus and Sternlicht's law is not the integral of the dynamic film's
   CHECK(std::abs(approximate / exact - 1) > 0.1);
   CHECK(std::abs(approximate / exact - 1) < 0.8);  // quoted: up to 78 % for a film that opens below 0.9
 }
+
+}  // namespace film_quadrature_test

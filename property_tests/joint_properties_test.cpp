@@ -5,6 +5,8 @@
 #include "generators.hpp"
 #include "support/law_property.hpp"
 
+namespace joint_properties_test {
+
 using namespace lubjoint;
 using generate::Vec;
 
@@ -132,3 +134,5 @@ TEST_CASE("relative spin with an inertial γ̇ makes the force depend on the obs
   const FilmState<double> rigid = film_state(turning, bearing.clearance());
   CHECK(rigid.velocity.norm() <= 1e-13);  // rounding of 50 1/s
 }
+
+}  // namespace joint_properties_test

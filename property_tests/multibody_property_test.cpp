@@ -8,6 +8,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace multibody_property_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -328,3 +330,5 @@ TEST_CASE("reactions balance") {
       RC_ASSERT(std::abs(gained[k] - from_ground[k]) < 1e-12 * size);  // solve included
   });
 }
+
+}  // namespace multibody_property_test

@@ -7,6 +7,8 @@
 #include "oracle/verify/verification.hpp"
 #include "support/golden.hpp"
 
+namespace verify_judge_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 
@@ -112,3 +114,5 @@ TEST_CASE("verify: the conditioning of a state is what its exact derivatives by 
     }
   }
 }
+
+}  // namespace verify_judge_test

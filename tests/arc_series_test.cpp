@@ -5,6 +5,8 @@
 #include "lubjoint/film/arc_series.hpp"
 #include "lubjoint/number/dual.hpp"
 
+namespace arc_series_test {
+
 using namespace lubjoint;
 using Exact = boost::multiprecision::cpp_bin_float_50;
 
@@ -62,3 +64,5 @@ TEST_CASE("arc series: derivatives are those of the functions") {
   CHECK(angle.derivatives()[0] == Approx(-0.8).epsilon(1e-15));
   CHECK(angle.derivatives()[1] == Approx(-0.6).epsilon(1e-15));
 }
+
+}  // namespace arc_series_test

@@ -9,6 +9,8 @@
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace assembly_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -293,3 +295,5 @@ TEST_CASE("scene: a table that nobody asks for is refused first, by its own name
   CHECK_THROWS_WITH(parse_scene("name = \"s\"\n[integrater]\nname = \"dopri5\"\n", "s.toml"),
                     Contains("s.toml:2: unknown key integrater") && Contains("did you mean integrator?"));
 }
+
+}  // namespace assembly_test

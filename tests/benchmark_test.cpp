@@ -16,6 +16,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace benchmark_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -276,3 +278,5 @@ TEST_CASE("singular positions: a run that passes them says so, at every toleranc
   }
   CHECK(finished >= 4);
 }
+
+}  // namespace benchmark_test

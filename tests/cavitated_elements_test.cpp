@@ -7,6 +7,8 @@
 #include "oracle/reynolds/cavitated_film.hpp"
 #include "oracle/reynolds/circumferential_modes.hpp"
 
+namespace cavitated_elements_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 
@@ -42,3 +44,5 @@ TEST_CASE("cavitated film by elements: second order, and another film is told ap
   CHECK((longer.value - closing.value).norm() > longer.error.norm() + closing.error.norm());
   CHECK_THROWS_WITH(cavitated_force_by_elements(film_at(0.5, 0, 1, 1), 4), Catch::Contains("allowed are 8 or more"));
 }
+
+}  // namespace cavitated_elements_test

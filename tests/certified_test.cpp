@@ -21,6 +21,8 @@
 #include "support/linear_response.hpp"
 #include "support/run_program.hpp"
 
+namespace certified_test {
+
 using namespace lubjoint;
 using namespace lubjoint::certified;
 using Catch::Contains;
@@ -237,3 +239,5 @@ TEST_CASE("certified golden data: a flipped digit fails the check, which names f
   CHECK_THAT(differences[1].text(), Contains("film_extent.csv, line 99 (row 98), column theta_") &&
                                         Contains("off by 3.18e-30 of it"));  // 1e-29/π
 }
+
+}  // namespace certified_test

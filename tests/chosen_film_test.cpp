@@ -12,6 +12,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scene_text.hpp"
 
+namespace chosen_film_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -196,3 +198,5 @@ TEST_CASE("batches: laws of the squeeze alone and of finite length give the bits
   CHECK_THROWS_WITH(film_forces("butenschoen", Bearing<double>(1, 0.4, 0.1), oil, arrays, {fx, fy}),
                     Contains("butenschoen") && Contains("at most 1"));
 }
+
+}  // namespace chosen_film_test

@@ -7,6 +7,8 @@
 
 #include "oracle/reynolds/finite_length.hpp"
 
+namespace circumferential_modes_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 
@@ -93,3 +95,5 @@ TEST_CASE("finite length: separation along the axis gives the values that a thir
   const auto full = solve(FiniteFilm::finite_full, 1, {0.5, 0, 1}, 1e-11, modes);
   CHECK(full.radial / in_units(1) == Approx(-20.7969090995).epsilon(1e-11));  // the same
 }
+
+}  // namespace circumferential_modes_test

@@ -13,6 +13,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace commands_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -310,3 +312,5 @@ TEST_CASE("simulate: every scene that ships runs to its end") {
   // As many as the README and the command line promise, the published problems, machines, and scenes in space.
   CHECK(scenes == 10 + 4 + 3 + 7);
 }
+
+}  // namespace commands_test

@@ -5,6 +5,8 @@
 #include "support/compiled_films.hpp"
 #include "support/force_rows.hpp"
 
+namespace compiled_film_batch_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -134,3 +136,5 @@ TEST_CASE("batch: films that are tables are refused by name alone, for another L
   CHECK_THROWS_WITH(film_forces(law, bearing, oil, rows.states(), longer), Contains("ex has"));
   CHECK_THROWS_WITH(film_forces(law, bearing, oil, rows.states(), {forces.first, forces.first}), Contains("overlap"));
 }
+
+}  // namespace compiled_film_batch_test

@@ -9,6 +9,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace compiled_film_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -169,3 +171,5 @@ TEST_CASE("compile-film --states: the table that ships is held against the solve
   CHECK(with({"0"}).status == 2);
   CHECK_THAT(with({"30", "--tolerance", "0.1"}).err, Contains("--states is given beside --out or --tolerance"));
 }
+
+}  // namespace compiled_film_command_test

@@ -25,6 +25,8 @@
 #include "oracle/reynolds/finite_force.hpp"
 #include "oracle/reynolds/finite_length.hpp"
 
+namespace compiled_film_test {
+
 using namespace lubjoint;
 namespace fs = std::filesystem;
 
@@ -451,3 +453,5 @@ TEST_CASE("compiled films: ten thousand states each are stored, the worst is wha
     CHECK(reports::check_film(film, 20, {2, {}}).beyond > 0);
   }
 }
+
+}  // namespace compiled_film_test

@@ -11,6 +11,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace constrained_jacobian_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -134,3 +136,5 @@ TEST_CASE("long chains: a scene of 300 pendulums starts, runs and keeps its ener
   CHECK(run.outcome.coordinates_reason.find("300 degrees of freedom") == 0);
   CHECK(*run.energy_residual < 300 * 0.1 * 9.81 * 1e-10);  // the weight of every rod, off by its tolerance
 }
+
+}  // namespace constrained_jacobian_test

@@ -13,6 +13,8 @@
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace contact_form_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -136,3 +138,5 @@ TEST_CASE("summary of a run with contact: an indentation is no film, and the reb
         Approx(clearance * (joint["max_eccentricity_ratio"].get<double>() - 1)).epsilon(1e-12));
   CHECK(joint["rebound_ratio"].get<double>() == rebound_ratio(0.9));
 }
+
+}  // namespace contact_form_test

@@ -5,6 +5,8 @@
 #include "lubjoint/joint/dry_contact.hpp"
 #include "lubjoint/joint/transition.hpp"
 
+namespace contact_friction_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -74,3 +76,5 @@ TEST_CASE("contact phases: named, with the seams at c and c + e0") {
   CHECK(name(2.039e-4) == "blend");
   CHECK(name(2.041e-4) == "dry");
 }
+
+}  // namespace contact_friction_test

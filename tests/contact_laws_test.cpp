@@ -10,6 +10,8 @@
 
 #include "oracle/verify/states/solution.hpp"
 
+namespace contact_laws_test {
+
 using namespace lubjoint::verify;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("contact laws: near c_r = 1 each loses the share of 1 - c_r that its a
   CHECK(share("lankarani_nikravesh") == Approx(1).epsilon(3e-3));
   CHECK(share("flores") == Approx(16.0 / 15).epsilon(3e-3));
 }
+
+}  // namespace contact_laws_test

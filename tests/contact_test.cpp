@@ -8,6 +8,8 @@
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace contact_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -209,3 +211,5 @@ TEST_CASE("a half film slides on its jump while it blends into contact, and the 
   CHECK(blended > 0);
   CHECK(*run.energy_residual < 100 * scene.run.relative_tolerance * run.energy_scale);
 }
+
+}  // namespace contact_test

@@ -8,6 +8,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace cost_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
@@ -190,3 +192,5 @@ TEST_CASE("cost: neither scene nor --chain, both, or too few rounds are refused"
   refused({"cost", scenes + "journal.toml", "--rounds", "8"}, "--rounds is 8");
   refused({"cost", scenes + "absent.toml"}, "can't be read");
 }
+
+}  // namespace cost_test

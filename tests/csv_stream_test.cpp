@@ -9,6 +9,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace csv_stream_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -159,3 +161,5 @@ TEST_CASE("oracle force: finite_reynolds warns where its grids no longer resolve
   CHECK(answered({"oracle", "force", "--film", "finite_half"}, header + "\n0.9999999999,1,0\n").err.find("0.99") ==
         std::string::npos);  // meant for any
 }
+
+}  // namespace csv_stream_test

@@ -7,6 +7,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace design_example_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -64,3 +66,5 @@ TEST_CASE("README: the design example prints what the program prints, and its se
   CHECK_THAT(readme, Contains(fmt::format("threshold of mass {:.1f} times too low",
                                           concentric("long_dynamic") / concentric("long_half"))));
 }
+
+}  // namespace design_example_test

@@ -18,6 +18,8 @@
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace documentation_test {
+
 using namespace lubjoint::test;
 
 namespace {
@@ -243,3 +245,5 @@ TEST_CASE("documentation: what the README says of the extreme cases is what is s
   const std::string readme = std::regex_replace(read_text(LUBJOINT_SOURCE_DIR "/README.md"), std::regex("\\n"), " ");
   CHECK(readme.find(said.str()) != std::string::npos);
 }
+
+}  // namespace documentation_test

@@ -7,6 +7,8 @@
 #include "support/film_jacobian.hpp"
 #include "support/film_reference.hpp"
 
+namespace dual_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -115,3 +117,5 @@ TEMPLATE_TEST_CASE("laws differentiate Eigen's AutoDiffScalar as they do dual nu
     CHECK((ratio(i).derivatives().transpose() - expected.jacobian.row(i)).norm() <= 1e-12 * expected.jacobian.norm());
   }
 }
+
+}  // namespace dual_test

@@ -7,6 +7,8 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
+namespace energy_ledger_test {
+
 using namespace lubjoint;
 
 TEST_CASE("energy ledger: it changes no step of a run, whatever the integrator") {
@@ -40,3 +42,5 @@ TEST_CASE("energy ledger: it changes no step of a run, whatever the integrator")
     }
   }
 }
+
+}  // namespace energy_ledger_test

@@ -15,6 +15,8 @@
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace engine_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::mechanisms;
@@ -283,3 +285,5 @@ TEST_CASE("big end: the orbit of a light journal is the mobility method's, at fi
       scene.bodies[0].spin / 2, PeriodicLoad(t, fx, fy), 8);
   CHECK(largest_distance(other, massless) > 1e-4);
 }
+
+}  // namespace engine_test

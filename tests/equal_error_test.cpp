@@ -12,6 +12,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace equal_error_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::reports;
@@ -254,3 +256,5 @@ TEST_CASE("bench rows that ship: every integrator on every scene, and the manife
   CHECK(in_space == 3);
   CHECK(turned.size() == 5);
 }
+
+}  // namespace equal_error_test

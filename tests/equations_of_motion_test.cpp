@@ -16,6 +16,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace equations_of_motion_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -173,21 +175,21 @@ TEST_CASE("dense output knows where its last step began") {
   }
 }
 
-TEST_CASE("numbers in messages have ten digits") { CHECK(detail::number(1.0 / 3) == "0.3333333333"); }
+TEST_CASE("numbers in messages have ten digits") { CHECK(lubjoint::detail::number(1.0 / 3) == "0.3333333333"); }
 
 TEST_CASE("auto: an explicit method where stability asks for fewer than four times the steps of accuracy") {
   const auto choice = [](double pilot_steps, double stability_steps, double tolerance, bool smooth = true) {
-    return detail::choose_integrator({true, pilot_steps, 3.3 * stability_steps, smooth}, tolerance).name;
+    return lubjoint::detail::choose_integrator({true, pilot_steps, 3.3 * stability_steps, smooth}, tolerance).name;
   };
   CHECK(choice(100, 1590, 1e-7) == "fehlberg78");  // accuracy: 100 steps at 1e-4 are 398 at 1e-7
   CHECK(choice(100, 1590, 1e-7, false) == "dopri5");
   CHECK(choice(100, 1595, 1e-7) == "radau_iia5");
   CHECK(choice(100, 399, 1e-4) == "dopri5");
   CHECK(choice(100, 401, 1e-4) == "radau_iia5");
-  CHECK(detail::choose_integrator({false, 1, 0, true}, 1e-7).name == "radau_iia5");
+  CHECK(lubjoint::detail::choose_integrator({false, 1, 0, true}, 1e-7).name == "radau_iia5");
   // Order 9 where tolerances are tight, in independent coordinates.
   const auto of_stiff = [](bool independent, double tolerance) {
-    return detail::choose_integrator({true, 100, 1e6, false, independent}, tolerance).name;
+    return lubjoint::detail::choose_integrator({true, 100, 1e6, false, independent}, tolerance).name;
   };
   CHECK(of_stiff(true, 1e-10) == "radau_iia9");
   CHECK(of_stiff(true, 1.1e-10) == "radau_iia5");
@@ -197,7 +199,7 @@ TEST_CASE("auto: an explicit method where stability asks for fewer than four tim
   CHECK(choice(100, 1910, 1e-10) == "fehlberg78");
   // Of order 9 it is 398 steps there, each of 7.5 explicit ones.
   const auto of_tight = [](double stability_steps, bool smooth) {
-    return detail::choose_integrator({true, 100, 3.3 * stability_steps, smooth, true}, 1e-10).name;
+    return lubjoint::detail::choose_integrator({true, 100, 3.3 * stability_steps, smooth, true}, 1e-10).name;
   };
   CHECK(of_tight(910, false) == "radau_iia9");
   CHECK(of_tight(890, false) == "dopri5");
@@ -351,3 +353,5 @@ TEST_CASE("a first step that is far too long is shortened, not taken for the end
     CHECK(run.outcome.rejected_steps > 0);
   }
 }
+
+}  // namespace equations_of_motion_test

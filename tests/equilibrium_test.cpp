@@ -10,6 +10,8 @@
 #include "lubjoint/scene/journal_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
+namespace equilibrium_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -224,3 +226,5 @@ TEST_CASE("Equilibrium: a load that no eccentricity carries is refused, not answ
                       Catch::Matchers::Contains("no equilibrium") && Catch::Matchers::Contains("allowed is"));
   }
 }
+
+}  // namespace equilibrium_test

@@ -6,6 +6,8 @@
 #include "support/force_rows.hpp"
 #include "support/golden.hpp"
 
+namespace film_batch_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -347,3 +349,5 @@ TEST_CASE("batch: laws, lengths and instruction sets that are none are refused b
                       Contains(std::string(name_of(set))));
   }
 }
+
+}  // namespace film_batch_test

@@ -4,6 +4,8 @@
 #include "lubjoint/film/extent.hpp"
 #include "lubjoint/number/dual.hpp"
 
+namespace film_bounds_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -74,3 +76,5 @@ TEST_CASE("the side of a half film is the same in polar and in vector form") {
   const FilmState<double> radial(Vector2<double>(0.25, 0.5), Vector2<double>(1, 2));
   CHECK(side_of(radial) == HalfFilmSide::converging);  // a = 0 counts as a ≥ 0
 }
+
+}  // namespace film_bounds_test

@@ -7,6 +7,8 @@
 #include "lubjoint/film/steady_place.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_coefficients_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -276,3 +278,5 @@ TEST_CASE("coefficients: no place at ε = 0 or 1, none without spin, none under 
   CHECK_FALSE(steady_place<ShortHalf>(1e40).has_value());
   CHECK_FALSE(steady_place<ShortHalf>(0.0).has_value());
 }
+
+}  // namespace film_coefficients_test

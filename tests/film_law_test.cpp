@@ -7,6 +7,8 @@
 #include "oracle/laws/published_forms.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_law_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -190,3 +192,5 @@ TEST_CASE("the force is the integral of the library's own pressure field, wherev
     }
   });
 }
+
+}  // namespace film_law_test

@@ -9,6 +9,8 @@
 #include "lubjoint/film/losses.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_losses_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using namespace lubjoint::test;
@@ -175,3 +177,5 @@ TEST_CASE("losses: exact derivatives pass through torques and power") {
     CHECK(exact.power().derivatives()(0) == Approx((more.power() - less.power()) / (2 * step)).epsilon(1e-7));
   });
 }
+
+}  // namespace film_losses_test

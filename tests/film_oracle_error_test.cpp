@@ -5,6 +5,8 @@
 
 #include "support/film_reference.hpp"
 
+namespace film_oracle_error_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using namespace lubjoint::test;
@@ -67,3 +69,5 @@ TEST_CASE("the other rules' error estimates are honest at a tolerance of 1e-10")
     }
   }
 }
+
+}  // namespace film_oracle_error_test

@@ -8,6 +8,8 @@
 #include "oracle/quadrature/gsl_call.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_oracle_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using namespace lubjoint::test;
@@ -188,3 +190,5 @@ TEST_CASE("cost of one force by quadrature", "[.cost]") {
     }
   }
 }
+
+}  // namespace film_oracle_test

@@ -7,6 +7,8 @@
 #include "oracle/quadrature/gauss_legendre.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_pressure_oracle_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using namespace lubjoint::test;
@@ -106,3 +108,5 @@ TEST_CASE("a place outside the bearing has no pressure to ask for") {
   CHECK_THROWS_WITH(film_pressure_by_quadrature(OneDimensionalFilm::short_full, bearing, oil, {0.5, 1, 0}, 1.0, 0.03),
                     Contains("z is 0.03") && Contains("0.02"));
 }
+
+}  // namespace film_pressure_oracle_test

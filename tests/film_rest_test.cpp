@@ -4,6 +4,8 @@
 #include "support/film_jacobian.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_rest_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -149,3 +151,5 @@ TEST_CASE("value and Jacobian are finite at every combination of zero, tiny and 
     }
   });
 }
+
+}  // namespace film_rest_test

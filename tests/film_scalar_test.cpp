@@ -4,6 +4,8 @@
 #include "support/film_jacobian.hpp"
 #include "support/film_reference.hpp"
 
+namespace film_scalar_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -96,3 +98,5 @@ TEST_CASE("the Jacobian of every law by automatic differentiation equals central
     }
   });
 }
+
+}  // namespace film_scalar_test

@@ -2,6 +2,8 @@
 
 #include "lubjoint/film/bearing.hpp"
 
+namespace film_scale_test {
+
 using namespace lubjoint;
 
 TEST_CASE("bearing: a clearance that is not below the journal radius is refused by name") {
@@ -10,3 +12,5 @@ TEST_CASE("bearing: a clearance that is not below the journal radius is refused 
   CHECK_THROWS_WITH(Bearing<double>(0.04, std::nan(""), 0.001), Catch::Contains("radius") && Catch::Contains("nan"));
   CHECK_THROWS_WITH(Lubricant<double>(0.0), Catch::Contains("viscosity") && Catch::Contains("above 0"));
 }
+
+}  // namespace film_scale_test

@@ -3,6 +3,8 @@
 
 #include "support/film_reference.hpp"
 
+namespace film_state_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -138,3 +140,5 @@ TEST_CASE("ε, a and b do not depend on how the observer is turned, nor on how h
     }
   }
 }
+
+}  // namespace film_state_test

@@ -16,6 +16,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace finite_film_commands_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -250,3 +252,5 @@ TEST_CASE("losses with finite_reynolds: without --shear the oil is sheared where
     CHECK(couette / unit > 1.05 * couette_integral(film, ShearedGap::dynamic));
   }
 }
+
+}  // namespace finite_film_commands_test

@@ -23,6 +23,8 @@
 #include "support/scene_text.hpp"
 #include "support/scenes.hpp"
 
+namespace finite_film_scene_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -372,3 +374,5 @@ TEST_CASE("finite films: a law that is far off names the compiled law as the rem
   CHECK(near.status == 0);
   CHECK(near.err.find("real length") == std::string::npos);
 }
+
+}  // namespace finite_film_scene_test

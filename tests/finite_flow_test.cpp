@@ -11,6 +11,8 @@
 #include "oracle/reynolds/finite_force.hpp"
 #include "oracle/reynolds/smooth_film.hpp"
 
+namespace finite_flow_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using Vec = Vector2<double>;
@@ -179,3 +181,5 @@ TEST_CASE("side flow: a coarse estimate contains the fine flow") {
     }
   }
 }
+
+}  // namespace finite_flow_test

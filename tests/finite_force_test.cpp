@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace finite_force_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using Vec = Vector2<double>;
@@ -79,3 +81,5 @@ TEST_CASE("finite force: a bearing without length, and a tolerance that no solve
   }
   CHECK_THROWS_WITH(finite_force(FiniteFilm::finite_full, 1, sliding, {1.0}), Catch::Contains("relative_tolerance"));
 }
+
+}  // namespace finite_force_test

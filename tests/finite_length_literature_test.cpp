@@ -9,6 +9,8 @@
 #include "support/compiled_films.hpp"
 #include "support/csv.hpp"
 
+namespace finite_length_literature_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using namespace lubjoint::test;
@@ -223,3 +225,5 @@ TEST_CASE("finite length: Butenschön's rotation is met by the compiled law, onc
   CHECK(raw_number.difference == Approx(0.021).margin(0.002));  // measured; the source is right to 0.3 %
   CHECK(raw_angle.where == "L/D 1, eccentricity ratio 0.1");
 }
+
+}  // namespace finite_length_literature_test

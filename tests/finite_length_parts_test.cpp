@@ -7,6 +7,8 @@
 #include "oracle/reynolds/envelope_cholesky.hpp"
 #include "oracle/reynolds/lobatto.hpp"
 
+namespace finite_length_parts_test {
+
 using namespace lubjoint::oracle;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("envelope Cholesky: an indefinite matrix is refused") {
   matrix.at(1, 1) = 1;
   CHECK_THROWS_WITH(matrix.factor(), Catch::Contains("not positive definite"));
 }
+
+}  // namespace finite_length_parts_test

@@ -12,6 +12,8 @@
 #include "lubjoint/film/law_list.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
+namespace finite_length_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 
@@ -413,3 +415,5 @@ TEST_CASE("finite length: bad input is refused with its name, its value and what
                     Catch::Contains("stations is 0"));
   for (const FiniteFilm film : all_films) CHECK(finite_film_of(name_of(film)) == film);
 }
+
+}  // namespace finite_length_test

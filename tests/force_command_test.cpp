@@ -8,6 +8,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace force_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Words = std::vector<std::string>;
@@ -141,3 +143,5 @@ TEST_CASE("force: answers do not depend on the locale") {
           reference);
   }
 }
+
+}  // namespace force_command_test

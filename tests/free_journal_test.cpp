@@ -9,6 +9,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "oracle/trajectories/free_journal_scene.hpp"
 
+namespace free_journal_test {
+
 using namespace lubjoint;
 using namespace lubjoint::mechanisms;
 
@@ -161,3 +163,5 @@ TEST_CASE("free journal: a run that can't go on keeps what it has, and says why"
   CHECK(run.samples.size() < 100);
   CHECK_FALSE(run.samples.empty());
 }
+
+}  // namespace free_journal_test

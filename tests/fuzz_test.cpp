@@ -4,6 +4,8 @@
 #include "fuzz/targets.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace fuzz_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -38,3 +40,5 @@ TEST_CASE("Fuzz: every answers CSV of the corpus is read as the C library reads 
 TEST_CASE("Fuzz: every command line of the corpus names an action or is refused in one line") {
   replay("command_line", fuzz::command_line);
 }
+
+}  // namespace fuzz_test

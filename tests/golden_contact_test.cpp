@@ -7,6 +7,8 @@
 #include "lubjoint/film/every_law.hpp"
 #include "support/golden.hpp"
 
+namespace golden_contact_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -116,3 +118,5 @@ TEST_CASE("golden exit speeds: the energy that an impact leaves, whatever the st
     CHECK(exit > c_r * speed * (1 - 8 * rounding));  // the law loses less than its coefficient says
   }
 }
+
+}  // namespace golden_contact_test

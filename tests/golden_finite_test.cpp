@@ -14,6 +14,8 @@
 #include "oracle/files/files.hpp"
 #include "support/compiled_films.hpp"
 
+namespace golden_finite_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 namespace fs = std::filesystem;
@@ -216,3 +218,5 @@ TEST_CASE("golden finite films: a changed side flow is found by making it again,
   const std::string shorter = text.substr(0, text.rfind('\n', text.size() - 2) + 1);
   CHECK(certified::check_finite_flow(shorter, one_in(1000)).size() == 1);
 }
+
+}  // namespace golden_finite_test

@@ -9,6 +9,8 @@
 #include "oracle/files/golden_files.hpp"
 #include "support/golden.hpp"
 
+namespace golden_integrity_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -168,3 +170,5 @@ TEST_CASE("golden comparison: headers, rows and fields that are missing are name
   CHECK_THAT(reports::csv_differences("f", "a,b", rows, "a,b\n1,2\n3\n").at(0).text(), Contains("line 3 (row 2)"));
   CHECK_THAT(reports::csv_differences("f", "a,b", rows, "a,b\n1,2\n3,4").at(0).text(), Contains("has no end"));
 }
+
+}  // namespace golden_integrity_test

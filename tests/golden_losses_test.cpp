@@ -6,6 +6,8 @@
 #include "lubjoint/film/losses.hpp"
 #include "support/golden.hpp"
 
+namespace golden_losses_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -78,3 +80,5 @@ TEST_CASE("golden coefficients: load, attitude, stiffness, damping and threshold
     });
   }
 }
+
+}  // namespace golden_losses_test

@@ -12,6 +12,8 @@
 #include "oracle/laws/published_forms.hpp"
 #include "oracle/reynolds/film_integral.hpp"
 
+namespace golden_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -190,3 +192,5 @@ TEST_CASE("golden equilibria: the library's laws balance the load there") {
     CHECK(std::abs(turn - table.output(row, "attitude")) <= 8 * rounding);  // rounding of two angles
   }
 }
+
+}  // namespace golden_test

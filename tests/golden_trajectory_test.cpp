@@ -18,6 +18,8 @@
 #include "oracle/trajectories/extended_run.hpp"
 #include "oracle/trajectories/slider_crank_scene.hpp"
 
+namespace golden_trajectory_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -211,3 +213,5 @@ TEST_CASE("golden trajectories: the crank under a constant moment is where energ
   }
   CHECK(worst < 1e-14);  // the file's 64-bit significands, and the doubles it is read into
 }
+
+}  // namespace golden_trajectory_test

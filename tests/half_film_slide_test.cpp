@@ -10,6 +10,8 @@
 #include "oracle/mechanisms/half_film_slider_crank.hpp"
 #include "support/scenes.hpp"
 
+namespace half_film_slide_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::mechanisms;
@@ -248,3 +250,5 @@ TEST_CASE("slider-crank of all five parameter sets, each half film: places, velo
   }
   CHECK(slides > 50);  // 58 entries and as many exits were compared
 }
+
+}  // namespace half_film_slide_test

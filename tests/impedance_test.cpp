@@ -4,6 +4,8 @@
 #include "support/film_reference.hpp"
 #include "support/printed_value.hpp"
 
+namespace impedance_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Vec50 = Vector2<FiftyDigits>;
@@ -60,3 +62,5 @@ TEST_CASE("Capone's form of the short cavitating film is short_dynamic") {
     CHECK(static_cast<double>(apart) <= 1e-38);  // 50 digits, less what an opening film cancels in it: q⁻²·…
   }
 }
+
+}  // namespace impedance_test

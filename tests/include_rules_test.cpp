@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace include_rules_test {
+
 using namespace lubjoint::test;
 using Catch::Contains;
 
@@ -77,3 +79,5 @@ TEST_CASE("the include scanner finds arrows that run the wrong way") {
   CHECK(count("lubjoint/joint/a.hpp", "lubjoint/film/law.hpp") == 0);
   CHECK(count("oracle/cli/a.cpp", "oracle/page/b.hpp") == 0);
 }
+
+}  // namespace include_rules_test

@@ -18,6 +18,8 @@
 #include "oracle/files/files.hpp"
 #include "support/scenes.hpp"
 
+namespace independent_coordinates_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -467,3 +469,5 @@ TEST_CASE("independent coordinates: a way that a motor makes pass 0 is followed 
     }
   }
 }
+
+}  // namespace independent_coordinates_test

@@ -7,6 +7,8 @@
 #include "lubjoint/ode/radau_iia5_dense.hpp"
 #include "support/initial_value_problems.hpp"
 
+namespace integrators_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 namespace odeint = boost::numeric::odeint;
@@ -278,3 +280,5 @@ TEST_CASE("radau with dense output gives up with a message where no step succeed
   CHECK_THROWS_WITH(run(), Catch::Contains("step length has shrunk"));
   CHECK(dense.current_state()[0] < 1);
 }
+
+}  // namespace integrators_test

@@ -5,6 +5,8 @@
 #include "lubjoint/film/law_list.hpp"
 #include "lubjoint/joint/lubricated_joint.hpp"
 
+namespace joint_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -151,3 +153,5 @@ TEST_CASE("joint: the force of a lubricated joint is the law's on the film state
     }
   });
 }
+
+}  // namespace joint_test

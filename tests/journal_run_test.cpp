@@ -1,5 +1,7 @@
 #include "support/journal_cases.hpp"
 
+namespace journal_run_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -134,3 +136,5 @@ TEST_CASE("a run that uses up its steps stops with the limit, the time, the join
              Contains("limit of 7 steps") && Contains("joint \"bearing\"") && Contains("eccentricity ratio"));
   CHECK(run.last().t == run.outcome.t_end);
 }
+
+}  // namespace journal_run_test

@@ -10,6 +10,8 @@
 #include "oracle/results/motion_words.hpp"
 #include "support/run_program.hpp"
 
+namespace late_extremes_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using namespace lubjoint::test;
@@ -168,3 +170,5 @@ TEST_CASE("what became of a motion: rests, repeats, grows, dies away or goes on,
   CHECK(motion_outcome({0.0, 1.0}, std::vector<Vector2<double>>(2, Vector2<double>(0, 0)), std::nullopt).kind ==
         MotionKind::unknown);
 }
+
+}  // namespace late_extremes_test

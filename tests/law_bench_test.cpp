@@ -8,6 +8,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace law_bench_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 
@@ -145,3 +147,5 @@ TEST_CASE("bench: tables that are none, and scenes without their table, are refu
     CHECK(folder.entries().empty());
   }
 }
+
+}  // namespace law_bench_test

@@ -8,6 +8,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace leave_out_test {
+
 using namespace lubjoint::test;
 using Words = std::vector<std::string>;
 
@@ -231,3 +233,5 @@ TEST_CASE("a run projects its steps onto the constraints only if its scene asks 
   CHECK(has(projection, "project_onto_constraints"));
   CHECK_FALSE(has(baumgarte, "project_onto_constraints"));
 }
+
+}  // namespace leave_out_test

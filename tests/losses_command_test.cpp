@@ -6,6 +6,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace losses_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -101,3 +103,5 @@ TEST_CASE("losses: bad options and states are refused by name, with what is allo
   CHECK_THAT(refused(arguments("short_half"), header + "\n1e-4,0,1e300,0,0,1e300\n")["message"],
              Contains(":2: ") && Contains("range of double precision"));
 }
+
+}  // namespace losses_command_test

@@ -5,6 +5,8 @@
 #include "lubjoint/film/steady_place.hpp"
 #include "support/journal_cases.hpp"
 
+namespace massless_journal_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -119,3 +121,5 @@ TEST_CASE("a light journal follows the massless one to first order in its mass")
     CHECK(apart[2] > 1e-9);                                    // above what the steps are good to
   });
 }
+
+}  // namespace massless_journal_test

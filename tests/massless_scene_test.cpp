@@ -8,6 +8,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace massless_scene_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -146,3 +148,5 @@ TEST_CASE("massless scene: the command runs it, and the summary has the load as 
   CHECK(half.status == 2);
   CHECK_THAT(half.err, Contains("long_half") && Contains("one velocity"));
 }
+
+}  // namespace massless_scene_test

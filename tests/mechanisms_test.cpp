@@ -7,6 +7,8 @@
 #include "lubjoint/film/pinkus_sternlicht.hpp"
 #include "oracle/mechanisms/lubricated_slider_crank.hpp"
 
+namespace mechanisms_test {
+
 using namespace lubjoint;
 using namespace lubjoint::mechanisms;
 
@@ -111,3 +113,5 @@ TEST_CASE("lubricated slider-crank in minimal coordinates: a stiff film leaves t
     last = force;
   }
 }
+
+}  // namespace mechanisms_test

@@ -6,6 +6,8 @@
 
 #include "lubjoint/film/bearing.hpp"
 
+namespace message_test {
+
 using namespace lubjoint;
 
 TEST_CASE("message: doubles stand in as few digits as say them, texts and other numbers as they are") {
@@ -15,3 +17,5 @@ TEST_CASE("message: doubles stand in as few digits as say them, texts and other 
   CHECK(message.str() == "a 0.043, 1e-05, 0.30000000000000004, -inf, 7, 0.25");
   CHECK_THROWS_WITH(Bearing<double>(0.02, 0.01, 0.043), Catch::Contains("clearance is 0.043 m; allowed is less than"));
 }
+
+}  // namespace message_test

@@ -5,6 +5,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace mobility_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -98,3 +100,5 @@ TEST_CASE("mobility: bad options and states are refused by name, with what is al
   CHECK_THAT(refused("short_full", header + "\n0,0,1e308,0\n", "1e-6"),
              Contains(":2: ") && Contains("range of double"));
 }
+
+}  // namespace mobility_command_test

@@ -9,6 +9,8 @@
 #include "support/film_reference.hpp"
 #include "support/printed_value.hpp"
 
+namespace mobility_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -259,3 +261,5 @@ TEST_CASE("a bearing's mobility is that of the force over its scale") {
         1e-12 * force.norm());  // M∘F
   CHECK(u == *mobility<ShortDynamic>(e, q_of(e), Vec(force / scale)).velocity);
 }
+
+}  // namespace mobility_test

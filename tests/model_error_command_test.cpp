@@ -11,6 +11,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace model_error_command_test {
+
 using namespace lubjoint::test;
 using Catch::Contains;
 using Words = std::vector<std::string>;
@@ -183,3 +185,5 @@ TEST_CASE("model-error: half a question, or two, is refused") {
   backwards[9] = "-30";
   refused(backwards, "--load");
 }
+
+}  // namespace model_error_command_test

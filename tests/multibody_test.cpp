@@ -8,6 +8,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace multibody_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -217,3 +219,5 @@ TEST_CASE("a double pendulum keeps its energy to 1e-9 over a thousand periods wi
     CHECK(std::abs(energy(sample) / energy(run.samples.front()) - 1) < 1e-9);
   }
 }
+
+}  // namespace multibody_test

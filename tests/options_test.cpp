@@ -5,6 +5,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace options_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -267,3 +269,5 @@ TEST_CASE("Options: a standard output that takes nothing is an error, not a succ
     CHECK_THAT(result.err, Contains("lubjoint: standard output"));
   }
 }
+
+}  // namespace options_test

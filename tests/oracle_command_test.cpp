@@ -7,6 +7,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace oracle_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -221,3 +223,5 @@ TEST_CASE("oracle: films, rules, tolerances and grids that are none are refused 
   check_refused({"oracle", "presure"}, "there is no command \"presure\" after \"oracle\"");
   check_refused({"oracle", "presure"}, "pressure");
 }
+
+}  // namespace oracle_command_test

@@ -6,6 +6,8 @@
 
 #include "oracle/plot/orbit.hpp"
 
+namespace orbit_plot_test {
+
 using namespace lubjoint::reports;
 using Catch::Contains;
 
@@ -71,3 +73,5 @@ TEST_CASE("orbit plots: one that goes through the whole clearance is shown in it
   CHECK(orbit_script(circle(0, 0, 0.99), std::nullopt).find("$part") == std::string::npos);
   CHECK_THAT(orbit_script(spiral(0.2), PlotPoint{0.2, 0}), Contains("$part") && Contains("set label 1 at 0.2,0 "));
 }
+
+}  // namespace orbit_plot_test

@@ -10,6 +10,8 @@
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace order_nine_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -153,3 +155,5 @@ TEST_CASE(
     CHECK(off < 3e-6);  // of 1e-8 a step; it is 3e-4 from a start that no one limits
   }
 }
+
+}  // namespace order_nine_test

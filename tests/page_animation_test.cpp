@@ -9,6 +9,8 @@
 #include "support/packed_numbers.hpp"
 #include "support/page_content.hpp"
 
+namespace page_animation_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Json = nlohmann::json;
@@ -155,3 +157,5 @@ TEST_CASE("animation: the pressure that is drawn pushes the journal with the for
     CHECK(worst > 0);
   }
 }
+
+}  // namespace page_animation_test

@@ -11,6 +11,8 @@
 #include "oracle/reynolds/film_losses.hpp"
 #include "support/page_content.hpp"
 
+namespace page_losses_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -138,3 +140,5 @@ TEST_CASE("report: the section on losses warns of the laws whose whirl is not ha
   CHECK_THAT(flooded, Contains("The scene says <code>shear</code>") && Contains("<code>flooded</code>"));
   CHECK(*shown(flooded, "short_half")[3] > 1.5 * *shown(html, "short_half")[3]);
 }
+
+}  // namespace page_losses_test

@@ -9,6 +9,8 @@
 #include "support/packed_numbers.hpp"
 #include "support/page_content.hpp"
 
+namespace page_space_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports::page;
 using namespace lubjoint::test;
@@ -133,3 +135,5 @@ TEST_CASE("page in space: the animation shows the states of the run, and the jou
   empty.run.samples.clear();
   CHECK(space_animation_json(empty) == "null");
 }
+
+}  // namespace page_space_test

@@ -10,6 +10,8 @@
 #include "oracle/page/panel.hpp"
 #include "support/page_content.hpp"
 
+namespace page_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -392,3 +394,5 @@ TEST_CASE("report: a template and its fields belong together") {
   CHECK_THROWS_WITH(page::filled("proofs.html", {{"ledger", ""}, {"other", ""}}), Contains("does not use {{other}}"));
   CHECK_THROWS_WITH(page::filled("absent.html", {}), Contains("absent.html"));
 }
+
+}  // namespace page_test

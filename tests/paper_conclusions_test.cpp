@@ -7,6 +7,8 @@
 #include "support/page_content.hpp"
 #include "support/scene_text.hpp"
 
+namespace paper_conclusions_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using namespace lubjoint::test;
@@ -73,3 +75,5 @@ TEST_CASE("page: the paper's conclusions stand with the real film, or do not, by
   CHECK(stands(changed, "c = 0.2 mm") == "yes");
   CHECK_THAT(changed, Contains("moves away at 5"));
 }
+
+}  // namespace paper_conclusions_test

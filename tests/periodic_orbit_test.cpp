@@ -16,6 +16,8 @@
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace periodic_orbit_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -170,3 +172,5 @@ relative_tolerance = 1e-9
              Contains("--tolerance is 0; allowed is a number above 0"));
   CHECK_THAT(refused({"periodic", data + "scenes/journal.toml", "--period", "1"}), Contains("has no period"));
 }
+
+}  // namespace periodic_orbit_test

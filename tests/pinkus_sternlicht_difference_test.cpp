@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace pinkus_sternlicht_difference_test {
+
 using namespace lubjoint::reports;
 
 TEST_CASE("Pinkus-Sternlicht differs from a closing long dynamic film by 6 % in the median and by at most 11.4 %") {
@@ -54,3 +56,5 @@ TEST_CASE("a concentric journal has no difference: both laws give isotropic damp
     CHECK(d.difference <= 1e-14);  // rounding of both
   }
 }
+
+}  // namespace pinkus_sternlicht_difference_test

@@ -4,6 +4,8 @@
 
 #include "support/film_reference.hpp"
 
+namespace pressure_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -128,3 +130,5 @@ TEST_CASE("film thickness and pressure keep their digits in the thin film near Î
     }
   }
 }
+
+}  // namespace pressure_test

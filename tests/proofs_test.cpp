@@ -9,6 +9,8 @@
 #include "oracle/proofs/sommerfeld.hpp"
 #include "support/run_program.hpp"
 
+namespace proofs_test {
+
 using namespace lubjoint::proofs;
 using lubjoint::test::lubjoint_program;
 using lubjoint::test::ProgramResult;
@@ -150,3 +152,5 @@ TEST_CASE("proofs: an antiderivative that is no trigonometric polynomial is refu
   const symbol angle("angle");
   CHECK_THROWS_AS(trigonometric_antiderivative(1 / (2 + cos(angle)), angle), std::domain_error);
 }
+
+}  // namespace proofs_test

@@ -14,6 +14,8 @@
 #include "oracle/quadrature/gsl_call.hpp"
 #include "oracle/quadrature/periodic_trapezoid.hpp"
 
+namespace quadrature_test {
+
 using namespace lubjoint::oracle;
 using Catch::Contains;
 using std::numbers::pi;
@@ -223,3 +225,5 @@ TEST_CASE("a single place where the integrand is not finite is named, not left o
   const auto hole = [](double x) { return x == 0.5 ? std::nan("") : x; };
   CHECK_THROWS_WITH(DoublyAdaptiveQuadrature()(hole, 0, 1, {1e-10, 0}), Contains("CQUAD") && Contains("at 0.5"));
 }
+
+}  // namespace quadrature_test

@@ -3,6 +3,8 @@
 #include "lubjoint/ode/radau_iia.hpp"
 #include "support/initial_value_problems.hpp"
 
+namespace radau_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -407,3 +409,5 @@ TEST_CASE("radau: in long double the error goes below what double can hold") {
   const auto run = controlled_run<3, long double>(Logistic<long double>(), 1e-18L);
   CHECK(run.first < 1e-16);  // double: 2e-16 a step and hundreds of steps
 }
+
+}  // namespace radau_test

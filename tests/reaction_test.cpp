@@ -13,6 +13,8 @@
 #include "support/run_program.hpp"
 #include "support/scenes.hpp"
 
+namespace reaction_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -152,3 +154,5 @@ TEST_CASE("reactions: summary, JSON, later part and sweep have them without bein
   CHECK(rows[0].at("crank-pin.max_moment").empty());
   CHECK(sweep.out.find("rhs_evaluations,main-bearing.max_force") != std::string::npos);  // behind what was there before
 }
+
+}  // namespace reaction_test

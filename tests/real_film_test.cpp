@@ -7,6 +7,8 @@
 #include "support/compiled_films.hpp"
 #include "support/scene_text.hpp"
 
+namespace real_film_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using namespace lubjoint::test;
@@ -91,3 +93,5 @@ TEST_CASE("real film: the table names each film with its numbers and its verdict
   CHECK_FALSE(films.passed());
   CHECK_THAT(real_films_table(films), Contains("NO"));
 }
+
+}  // namespace real_film_test

@@ -9,6 +9,8 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
+namespace recorder_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -250,3 +252,5 @@ TEST_CASE("peaks: looked for in few places first, they are those of looks in all
     CHECK(looks < 6 * steps);  // of 9; at least 4
   }
 }
+
+}  // namespace recorder_test

@@ -18,6 +18,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace reproduce_command_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 
@@ -202,3 +204,5 @@ TEST_CASE(
   CHECK_THAT(result.err, Contains("report.html"));
   for (const std::string& name : folder.entries()) CHECK(name.find(".unfinished-") == std::string::npos);
 }
+
+}  // namespace reproduce_command_test

@@ -9,6 +9,8 @@
 #include "oracle/paper/journal_checks.hpp"
 #include "oracle/paper/slider_crank_checks.hpp"
 
+namespace reproduce_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using Catch::Matchers::Contains;
@@ -359,3 +361,5 @@ TEST_CASE("force laws: a verdict lists quadrature and formula, and either can sa
   law.rounding = std::nan("");
   CHECK_FALSE(law.agrees());
 }
+
+}  // namespace reproduce_test

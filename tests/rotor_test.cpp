@@ -12,6 +12,8 @@
 #include "support/linear_response.hpp"
 #include "support/scenes.hpp"
 
+namespace rotor_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -205,3 +207,5 @@ TEST_CASE("rotor: above the threshold a whirl of nearly half the spin grows, and
   // About the place of rest; the ends of the stretch, of ten turns, leave less than a fiftieth of it.
   CHECK(whirl_ratio(32 * 4, 32 * 24, Vector2<double>(0, 0)) == Approx(linear).epsilon(0.02));
 }
+
+}  // namespace rotor_test

@@ -9,6 +9,8 @@
 #include "oracle/results/film_resolution.hpp"
 #include "support/stress_scenes.hpp"
 
+namespace sample_accuracy_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -157,3 +159,5 @@ TEST_CASE("unseen: Fehlberg's estimate misses what happens inside its steps of a
   scene = with_law(scene, "short_full");
   CHECK(warning("fehlberg78").empty());
 }
+
+}  // namespace sample_accuracy_test

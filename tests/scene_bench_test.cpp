@@ -12,6 +12,8 @@
 #include "oracle/measure/bench/simbody_case.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace scene_bench_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -189,3 +191,5 @@ TEST_CASE("bench: an interrupted campaign goes on where it was, and one of other
   reports::write_file(*settings.resume_file, line);
   CHECK(dopri5_seconds() < 7);  // run
 }
+
+}  // namespace scene_bench_test

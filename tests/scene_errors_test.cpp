@@ -8,6 +8,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scene_text.hpp"
 
+namespace scene_errors_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -333,3 +335,5 @@ TEST_CASE("Scene: what is no free journal is refused by simulation and equilibri
   CHECK_THROWS_WITH(journal_equilibrium(load_scene(no_spin)),
                     Contains(no_spin + ":9: bodies[0].spin is 0; allowed is a spin other than 0"));
 }
+
+}  // namespace scene_errors_test

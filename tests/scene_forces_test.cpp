@@ -6,6 +6,8 @@
 #include "lubjoint/scene/trajectory_table.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace scene_forces_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -139,3 +141,5 @@ TEST_CASE("scene: singular positions are passed with projection alone") {
   CHECK_THAT(refusal("[stabilisation]\nmethod = \"baumgarte\"\nsingular_positions = \"pass\"\n"),
              Contains("s.toml:20: stabilisation.singular_positions is \"pass\" with Baumgarte's terms"));
 }
+
+}  // namespace scene_forces_test

@@ -6,6 +6,8 @@
 #include "lubjoint/scene/multibody_scene.hpp"
 #include "lubjoint/scene/scene_file.hpp"
 
+namespace scene_mistakes_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -40,3 +42,5 @@ TEST_CASE("scene mistakes: a load that is off is off whatever it is: constant, a
     CHECK(loads == scene.loads.size());
   }
 }
+
+}  // namespace scene_mistakes_test

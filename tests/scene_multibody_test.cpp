@@ -6,6 +6,8 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "lubjoint/scene/simulate.hpp"
 
+namespace scene_multibody_test {
+
 using namespace lubjoint;
 using Catch::Contains;
 
@@ -95,3 +97,5 @@ TEST_CASE("bad multibody scenes are refused: file, line, key, what was given, wh
   CHECK_THAT(impact("transition = {e0 = 5e-6, e1 = 1e-5}", ""), Contains("contact is given without a transition"));
   CHECK_THAT(impact("bearing_poisson = 0.3", "bearing_poisson = 0.6"), Contains("bearing_poisson is 0.6"));
 }
+
+}  // namespace scene_multibody_test

@@ -9,6 +9,8 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace scene_reference_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Keys = std::set<std::string>;
@@ -163,3 +165,5 @@ TEST_CASE("scene reference: laws, integrators and defaults are those of the read
   CHECK(SceneContact().friction == 0);
   CHECK(SceneContact().slow_sliding == 1e-3);
 }
+
+}  // namespace scene_reference_test

@@ -15,6 +15,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace scene_warnings_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using namespace lubjoint::test;
@@ -225,3 +227,5 @@ TEST_CASE("warnings in space: simulate says them") {
   CHECK_THAT(run.err, Contains("squeeze Reynolds number of joint \"gudgeon-pin\" is "));
   CHECK_THAT(run.err, Contains("is off the force of a film of the bearing's real length"));
 }
+
+}  // namespace scene_warnings_test

@@ -16,6 +16,8 @@
 #include "oracle/files/csv_table.hpp"
 #include "oracle/files/files.hpp"
 
+namespace second_derivation_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("golden trajectories: one wrong number in any column of any file is no
     }
   }
 }
+
+}  // namespace second_derivation_test

@@ -5,6 +5,8 @@
 #include "lubjoint/film/butenschoen.hpp"
 #include "lubjoint/film/shaped_mobility.hpp"
 
+namespace shaped_law_test {
+
 using namespace lubjoint;
 using Catch::Matchers::Contains;
 using Vec = Vector2<double>;
@@ -166,3 +168,5 @@ TEST_CASE(
     CHECK(worst == Approx(percent).margin(0.011));  // the digits printed
   }
 }
+
+}  // namespace shaped_law_test

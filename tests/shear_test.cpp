@@ -16,6 +16,8 @@
 #include "support/csv.hpp"
 #include "support/scene_text.hpp"
 
+namespace shear_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -314,3 +316,5 @@ TEST_CASE("shear: scenes name line, key, what was given and what is allowed") {
   CHECK_THROWS_WITH(journal_losses(journal_with({with_shear}), JournalSample{0, {0, 0, 0, 0}, {0, 0}}),
                     Contains("slows the journal down") && Contains("held"));
 }
+
+}  // namespace shear_test

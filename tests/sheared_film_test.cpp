@@ -8,6 +8,8 @@
 #include "oracle/reynolds/cavitated_film.hpp"
 #include "oracle/reynolds/finite_force.hpp"
 
+namespace sheared_film_test {
+
 using namespace lubjoint;
 using namespace lubjoint::oracle;
 using Vec = Vector2<double>;
@@ -109,3 +111,5 @@ TEST_CASE("sheared film: a coarse estimate contains the fine value") {
     }
   }
 }
+
+}  // namespace sheared_film_test

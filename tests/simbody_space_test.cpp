@@ -9,6 +9,8 @@
 #include "oracle/measure/bench/spatial_reference.hpp"
 #include "oracle/trajectories/spatial_slider_crank_scene.hpp"
 
+namespace simbody_space_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using mechanisms::SimbodyFilm;
@@ -153,3 +155,5 @@ TEST_CASE("Simbody in space: a journal whose axis is askew, and whose point is n
   CHECK(*off < allowed);
   CHECK(*apart(shipped(0.6), motion, 1e-9) > 1e5 * allowed);  // the tilt is no small matter: a tenth of the clearance
 }
+
+}  // namespace simbody_space_test

@@ -5,6 +5,8 @@
 #include "oracle/measure/bench/golden_reference.hpp"
 #include "oracle/measure/bench/simbody_case.hpp"
 
+namespace simbody_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 
@@ -61,3 +63,5 @@ TEST_CASE("Simbody: another viscosity, mass, inertia, length or side is noticed"
     CHECK(apart(changed, *golden, 1e-9) > 100 * allowed);
   }
 }
+
+}  // namespace simbody_test

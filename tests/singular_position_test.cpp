@@ -11,6 +11,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scenes.hpp"
 
+namespace singular_position_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -146,3 +148,5 @@ TEST_CASE("stops: an implicit integrator is not told to be one, and a thin film 
   CHECK_THAT(detail::remedy_words(true, 1e-9), Contains("viscosity"));
   CHECK_THAT(detail::remedy_words(false, 0.5), Contains("radau_iia5"));
 }
+
+}  // namespace singular_position_test

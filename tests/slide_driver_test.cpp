@@ -4,6 +4,8 @@
 
 #include "lubjoint/multibody/driver.hpp"
 
+namespace slide_driver_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("slide driver: a motion that starts later is the same motion") {
     CHECK(rest.acceleration == Approx(whole.acceleration).epsilon(1e-14));
   }
 }
+
+}  // namespace slide_driver_test

@@ -6,6 +6,8 @@
 #include "oracle/trajectories/slider_crank_reference.hpp"
 #include "support/scenes.hpp"
 
+namespace slider_crank_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -113,3 +115,5 @@ TEST_CASE("a loose tolerance shows no peak of force or moment that a tight one h
   CHECK(loose.drivers[0].max_moment.value == Approx(tight.drivers[0].max_moment.value).epsilon(1e-3));
   CHECK(loose.joints[0].eccentricity.value <= scene.joints[0].clearance);
 }
+
+}  // namespace slider_crank_test

@@ -1,5 +1,7 @@
 #include "support/journal_cases.hpp"
 
+namespace sliding_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -97,3 +99,5 @@ TEST_CASE("sliding: the film is on a = 0 although an instant beside it the law p
   CHECK(acceleration_across(HalfFilmSide::mirrored) < needed);
   CHECK(std::abs(cross(Vector2<double>(state[0], state[1]), journal.film(state).velocity)) < 1e-12);  // a = 0
 }
+
+}  // namespace sliding_test

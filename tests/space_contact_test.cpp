@@ -10,6 +10,8 @@
 #include "support/embedded_scene.hpp"
 #include "support/scenes.hpp"
 
+namespace space_contact_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -158,3 +160,5 @@ TEST_CASE("half films in space: a journal that slides with a tilt keeps a = 0 to
   CHECK(largest[1] > 0);
   CHECK(largest[2] / largest[1] == Approx(16).epsilon(0.2));  // the square
 }
+
+}  // namespace space_contact_test

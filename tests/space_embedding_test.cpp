@@ -12,6 +12,8 @@
 #include "support/embedded_scene.hpp"
 #include "support/scenes.hpp"
 
+namespace space_embedding_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -185,3 +187,5 @@ TEST_CASE("plane in space: bodies without ground take the plane's way when every
     CHECK(distance(wanted, run, in) < 1e-9 * flat.joints[0].clearance);  // what is asked for
   }
 }
+
+}  // namespace space_embedding_test

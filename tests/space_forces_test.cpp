@@ -12,6 +12,8 @@
 #include "support/spatial_refusals.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace space_forces_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using V3 = Vector3<double>;
@@ -391,3 +393,5 @@ TEST_CASE("space: what slides on a guide of no special direction moves alike in 
     }
   }
 }
+
+}  // namespace space_forces_test

@@ -20,6 +20,8 @@
 #include "support/embedded_scene.hpp"
 #include "support/scenes.hpp"
 
+namespace space_independent_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -611,3 +613,5 @@ TEST_CASE("independent in space: what a scene may ask for is refused by line and
     CHECK_THROWS_WITH(read("coordinates = " + std::string(value) + "\n" + free), Contains("without constraints"));
   CHECK_NOTHROW(read("coordinates = \"auto\"\n" + free));
 }
+
+}  // namespace space_independent_test

@@ -11,6 +11,8 @@
 #include "support/embedded_scene.hpp"
 #include "support/scenes.hpp"
 
+namespace space_long_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -77,3 +79,5 @@ TEST_CASE("space: a thousand revolutions keep |p| = 1, the constraints and the e
   const double of_ten = drift_of(10);
   CHECK(drift_of(1000) < 200 * of_ten);  // it adds up, and no more: 100 was measured
 }
+
+}  // namespace space_long_test

@@ -14,6 +14,8 @@
 #include "oracle/mechanisms/lubricated_spatial_slider_crank.hpp"
 #include "support/run_program.hpp"
 
+namespace space_oracles_test {
+
 using namespace lubjoint;
 using namespace lubjoint::mechanisms;
 using lubjoint::test::read_text;
@@ -279,3 +281,5 @@ TEST_CASE("space: the lubricated slider-crank that ships is that of minimal coor
   CHECK(off < 1e-9L);                  // what is asked for of the plane; ten tolerances
   CHECK(force_off < 1e-7L * largest);  // a film's stiffness times that
 }
+
+}  // namespace space_oracles_test

@@ -5,6 +5,8 @@
 #include "lubjoint/scene/spatial_scene_file.hpp"
 #include "lubjoint/scene/spatial_simulate.hpp"
 
+namespace space_readers_test {
+
 using namespace lubjoint;
 using V3 = Eigen::Vector3d;
 
@@ -173,3 +175,5 @@ TEST_CASE("readers in space: drivers turn and push by what is prescribed, with t
   const auto prepared = prepare_spatial(turned);
   CHECK(prepared.start[6] == Approx(std::sin(0.125)));
 }
+
+}  // namespace space_readers_test

@@ -6,6 +6,8 @@
 #include "support/spatial_refusals.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace space_scene_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -146,3 +148,5 @@ TEST_CASE("top: it precesses steadily, at the rate that its file says") {
   CHECK(run.samples.back().state[0] == Approx(radius * std::sin(angle)).margin(1e-8));   // of the tolerance, in 2 s
   CHECK(run.samples.back().state[1] == Approx(-radius * std::cos(angle)).margin(1e-8));  // likewise
 }
+
+}  // namespace space_scene_test

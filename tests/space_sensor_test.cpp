@@ -11,6 +11,8 @@
 #include "oracle/results/spatial_report.hpp"
 #include "support/embedded_scene.hpp"
 
+namespace space_sensor_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -150,3 +152,5 @@ interval = 0.05
     CHECK(value("centre.vz") == value("bob.vz"));
   }
 }
+
+}  // namespace space_sensor_test

@@ -8,6 +8,8 @@
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "support/embedded_scene.hpp"
 
+namespace space_starts_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -188,3 +190,5 @@ TEST_CASE("space: a spring that comes to length 0 stops the run by its name, one
     CHECK(thrown(0.002, integrator).status == RunStatus::finished);
   }
 }
+
+}  // namespace space_starts_test

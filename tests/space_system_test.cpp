@@ -11,6 +11,8 @@
 #include "lubjoint/scene/spatial_simulate.hpp"
 #include "support/embedded_scene.hpp"
 
+namespace space_system_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -586,3 +588,5 @@ TEST_CASE("space: Euler parameters of a rotation matrix give it back, whichever 
     CHECK(std::min((back - p).norm(), (back + p).norm()) < 1e-14);       // rounding
   }
 }
+
+}  // namespace space_system_test

@@ -14,6 +14,8 @@
 #include "oracle/mechanisms/lubricated_spatial_slider_crank.hpp"
 #include "support/csv.hpp"
 
+namespace spatial_oracles_test {
+
 using namespace lubjoint;
 using namespace lubjoint::mechanisms;
 using namespace lubjoint::test;
@@ -424,3 +426,5 @@ TEST_CASE("lubricated spatial slider-crank: a stiff film leaves the ideal motion
   // The film's compliance: in inverse proportion to the viscosity, to first order in it.
   CHECK(std::abs(off[1] / off[0] - 0.1L) < 1e-3L);
 }
+
+}  // namespace spatial_oracles_test

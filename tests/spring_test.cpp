@@ -10,6 +10,8 @@
 #include "lubjoint/scene/trajectory_table.hpp"
 #include "support/scenes.hpp"
 
+namespace spring_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -311,3 +313,5 @@ TEST_CASE("loads: an unbalance moves a journal as an offset of its mass centre d
   CHECK(largest < 1e-8 * scene.joints[0].clearance);  // some hundred steps of 1e-10
   CHECK(effect > 1000 * 1e-8 * scene.joints[0].clearance);
 }
+
+}  // namespace spring_test

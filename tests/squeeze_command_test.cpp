@@ -7,6 +7,8 @@
 #include "support/csv.hpp"
 #include "support/run_program.hpp"
 
+namespace squeeze_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -89,3 +91,5 @@ TEST_CASE("a law that there is not is refused with all that there are, squeeze l
   CHECK_THAT(result.err, Contains("did you mean squeeze_long?"));
   CHECK_THROWS_WITH(with_film_law<EveryFilmLaw>("none", []<class Law>() { return 0; }), Contains("squeeze_short"));
 }
+
+}  // namespace squeeze_command_test

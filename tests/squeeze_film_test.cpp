@@ -6,6 +6,8 @@
 #include "support/film_reference.hpp"
 #include "support/printed_value.hpp"
 
+namespace squeeze_film_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using oracle::FilmForceEstimate;
@@ -136,3 +138,5 @@ TEST_CASE("the closing and the opening squeeze film together are the full one, a
     }
   }
 }
+
+}  // namespace squeeze_film_test

@@ -10,6 +10,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace stability_command_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
@@ -213,3 +215,5 @@ TEST_CASE("coefficients and stability: bad usage is refused by name, with what i
   CHECK_THAT(refused({"stability"}), Contains("--law is missing"));
   CHECK_FALSE(std::filesystem::exists("x"));
 }
+
+}  // namespace stability_command_test

@@ -20,6 +20,8 @@
 #include "support/stress_scenes.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace stress_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 using namespace lubjoint::test;
@@ -488,3 +490,5 @@ TEST_CASE("stop: reasons are counted by kind, whatever the numbers in them") {
   CHECK(stop_kind("stopped at t = 0.5 s: joint \"b\" is at eccentricity ratio 0.3; radau_iia5 needs 1e-3") ==
         "joint \"b\" is at eccentricity ratio #; radau_iia5 needs #");
 }
+
+}  // namespace stress_test

@@ -10,6 +10,8 @@
 #include "oracle/measure/bench/half_size_solver.hpp"
 #include "oracle/measure/bench/sundials_method.hpp"
 
+namespace sundials_test {
+
 using namespace lubjoint;
 using namespace lubjoint::reports;
 
@@ -135,3 +137,5 @@ TEST_CASE("SUNDIALS: each method reaches its tolerance's error on a film, in coo
     }
   }
 }
+
+}  // namespace sundials_test

@@ -6,6 +6,8 @@
 #include "lubjoint/scene/simulate.hpp"
 #include "support/scene_text.hpp"
 
+namespace swapped_bearing_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -54,3 +56,5 @@ TEST_CASE("example 1 with the bearing on the free body: 0.181 instead of 0.167 a
 TEST_CASE("with shear it does not matter which body carries the bearing") {
   CHECK(last_ratio(example_1(true, true)) == Approx(last_ratio(example_1(false, true))).epsilon(1e-7));  // tolerance
 }
+
+}  // namespace swapped_bearing_test

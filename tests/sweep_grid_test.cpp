@@ -7,6 +7,8 @@
 #include "oracle/files/quoted_csv.hpp"
 #include "support/scene_text.hpp"
 
+namespace sweep_grid_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::reports;
@@ -209,3 +211,5 @@ TEST_CASE("quoted CSV: fields with commas and quotes come back as they were, in 
   }
   CHECK(quoted_field("two\nlines") == "two lines");
 }
+
+}  // namespace sweep_grid_test

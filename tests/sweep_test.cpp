@@ -10,6 +10,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace sweep_test {
+
 using namespace lubjoint::test;
 using Catch::Matchers::Contains;
 using lubjoint::reports::split_quoted;
@@ -439,3 +441,5 @@ TEST_CASE("sweep: bad shards, jobs and combinations of options are refused") {
   CHECK(lubjoint_program({"sweep", journal}).status == 2);
   CHECK(lubjoint_program(sweep(journal, small, {"--jobs", "-1"})).status == 2);
 }
+
+}  // namespace sweep_test

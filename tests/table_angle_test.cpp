@@ -15,6 +15,8 @@
 #include "support/embedded_scene.hpp"
 #include "support/scenes.hpp"
 
+namespace table_angle_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -258,3 +260,5 @@ TEST_CASE("table of an angle, slide driver: the exact Jacobian is that of centra
   ode.rate(y, high, t + h);
   differences_agree([&](std::size_t i) { return slope[i]; });
 }
+
+}  // namespace table_angle_test

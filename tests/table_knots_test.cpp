@@ -9,6 +9,8 @@
 #include "lubjoint/ode/integrators.hpp"
 #include "lubjoint/run/event_run.hpp"
 
+namespace table_knots_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -165,3 +167,5 @@ TEST_CASE("table knots: those that repeat, fall or are no finite numbers are ref
     CHECK_THROWS_AS(table(knots), std::invalid_argument);
   }
 }
+
+}  // namespace table_knots_test

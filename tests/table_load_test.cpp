@@ -13,6 +13,8 @@
 #include "lubjoint/scene/trajectory_table.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace table_load_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -320,3 +322,5 @@ TEST_CASE("drivers: a swing, a table and a way along a guide are followed, by th
   files.folder.write("short.csv", "t,angle\n0,0\n1,1\n2,1\n");
   refused("body = \"rotor\"\ntable = \"short.csv\"\n", "a table of 3 rows; allowed is four rows or more");
 }
+
+}  // namespace table_load_test

@@ -4,6 +4,8 @@
 
 #include "lubjoint/film/law_list.hpp"
 
+namespace touching_journal_test {
+
 using namespace lubjoint;
 
 namespace {
@@ -76,3 +78,5 @@ TEST_CASE("transition and contact: parameters that can't be are refused by name"
   CHECK_THROWS_WITH(require_contact(ContactSurface<double>{0, 0.5}, 0.1), Contains("contact_stiffness"));
   CHECK_THROWS_WITH(require_contact(ContactSurface<double>{1, 0.5}, 0.0), Contains("impact_speed"));
 }
+
+}  // namespace touching_journal_test

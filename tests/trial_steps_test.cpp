@@ -8,6 +8,8 @@
 #include "lubjoint/scene/scene_file.hpp"
 #include "support/scenes.hpp"
 
+namespace trial_steps_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -195,3 +197,5 @@ TEST_CASE("after a start no state changes by more than its tolerance in the firs
     CHECK(y[1] == Approx(-2e-2));
   }
 }
+
+}  // namespace trial_steps_test

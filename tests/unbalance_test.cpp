@@ -7,6 +7,8 @@
 #include "support/linear_response.hpp"
 #include "support/scenes.hpp"
 
+namespace unbalance_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 
@@ -55,3 +57,5 @@ TEST_CASE("unbalance: the synchronous orbit is that of the linear coefficients, 
     CHECK(distance_from_linear(scene, unit, 1.01) / distance_from_linear(scene, unit / 2, 1.01) < 2.5);
   }
 }
+
+}  // namespace unbalance_test

@@ -16,6 +16,8 @@
 #include "support/run_program.hpp"
 #include "support/scene_text.hpp"
 
+namespace unfinished_files_test {
+
 using namespace lubjoint::test;
 using namespace lubjoint::reports;
 using Catch::Matchers::Contains;
@@ -189,3 +191,5 @@ TEST_CASE("Read-only: a folder that can't be written to is refused before anythi
   }
   CHECK(folder.entries().empty());
 }
+
+}  // namespace unfinished_files_test

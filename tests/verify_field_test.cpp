@@ -5,6 +5,8 @@
 #include "lubjoint/film/extent.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_field_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -93,3 +95,5 @@ TEST_CASE("verify: correct pressures and ends of the film pass in double, in sin
           "single precision");
   }
 }
+
+}  // namespace verify_field_test

@@ -7,6 +7,8 @@
 #include "oracle/verify/states/finite_film.hpp"
 #include "support/run_program.hpp"
 
+namespace verify_finite_gallery_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::verify;
@@ -215,3 +217,5 @@ TEST_CASE("verify, finite films: programs of the dynamic film and of the one tha
   CHECK(other.status == 1);
   CHECK(nlohmann::json::parse(other.out).at("other") == "finite_dynamic");
 }
+
+}  // namespace verify_finite_gallery_test

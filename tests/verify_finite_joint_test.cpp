@@ -12,6 +12,8 @@
 #include "oracle/reynolds/finite_force.hpp"
 #include "support/solved_films.hpp"
 
+namespace verify_finite_joint_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -280,3 +282,5 @@ TEST_CASE("verify finite joint: every mistake is named first") {
   check_every_mistake("finite_reynolds"_law, Quantities::wrench, 17, 40);
   check_every_mistake("finite_reynolds"_law, Quantities::pressure, 7, 20);
 }
+
+}  // namespace verify_finite_joint_test

@@ -11,6 +11,8 @@
 #include "support/run_program.hpp"
 #include "support/solved_films.hpp"
 
+namespace verify_finite_tables_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -202,3 +204,5 @@ TEST_CASE("verify finite tables: every mistake is named first") {
   check_every_mistake("finite_reynolds"_law, Quantities::equilibrium, 9, 25);
   check_every_mistake("finite_reynolds"_law, Quantities::losses, 17, 30);
 }
+
+}  // namespace verify_finite_tables_test

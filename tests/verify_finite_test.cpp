@@ -7,6 +7,8 @@
 #include "oracle/verify/states/finite_film.hpp"
 #include "support/run_program.hpp"
 
+namespace verify_finite_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using namespace lubjoint::verify;
@@ -302,3 +304,5 @@ TEST_CASE("verify command, finite films: states go out, answers come in, and the
   CHECK_THAT(lubjoint_program({"verify", "--law", "finite_half", "--seed", "2", "--answers", states_file}).err,
              Contains("--seed does nothing with --law finite_half"));
 }
+
+}  // namespace verify_finite_test

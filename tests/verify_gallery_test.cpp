@@ -5,6 +5,8 @@
 #include "oracle/verify/states/single_precision.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_gallery_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -220,3 +222,5 @@ TEST_CASE("verify: squeeze laws agree with themselves, and every mistake that sh
     }
   }
 }
+
+}  // namespace verify_gallery_test

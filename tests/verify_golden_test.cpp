@@ -8,6 +8,8 @@
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_golden_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -168,3 +170,5 @@ TEST_CASE("verify: golden data that are missing or changed are refused with thei
   copy_changed(changed, "joint_wrench.csv", "0.03125", "0.03225");
   refused(changed.path().string(), "joint_wrench.csv");
 }
+
+}  // namespace verify_golden_test

@@ -5,6 +5,8 @@
 #include "oracle/verify/states/single_precision.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_precision_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -144,3 +146,5 @@ TEST_CASE("verify: states are the same for a seed and of every regime, those of 
     CHECK(regimes.size() == (quantities == Quantities::transition ? 6 : 5));
   }
 }
+
+}  // namespace verify_precision_test

@@ -7,6 +7,8 @@
 
 #include "support/csv.hpp"
 
+namespace verify_programs_test {
+
 namespace {
 
 std::vector<std::string> parts(const std::string& list) {
@@ -122,3 +124,5 @@ TEST_CASE("verify: auto finds the law of numerical, steady and mistaken programs
                Catch::Contains(std::string(": ") + law + " (found among all laws)"));
   }
 }
+
+}  // namespace verify_programs_test

@@ -13,6 +13,8 @@
 #include "support/run_program.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_protocol_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using Catch::Contains;
@@ -315,3 +317,5 @@ TEST_CASE("verify: 10,000 states through a Python program take less than 3 s", "
             .status == 0);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(3));
 }
+
+}  // namespace verify_protocol_test

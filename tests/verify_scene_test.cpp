@@ -10,6 +10,8 @@
 #include "oracle/verify/trajectory/trajectory.hpp"
 #include "support/run_program.hpp"
 
+namespace verify_scene_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -256,3 +258,5 @@ TEST_CASE("verify: trajectories that can't be judged end with status 2 and say w
   refused(verified("journal", "t,bearing.ex\n0,0\n", {"--tolerance", "0"}), "--tolerance");
   refused(lubjoint_program({"verify", "--scene", shipped("journal").string()}), "--trajectory");
 }
+
+}  // namespace verify_scene_test

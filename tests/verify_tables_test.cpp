@@ -9,6 +9,8 @@
 #include "oracle/verify/states/steady_slopes.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_tables_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -286,3 +288,5 @@ TEST_CASE("verify tables: any columns may be given, and none, unknown ones and a
                     Contains("none of the columns is there") && Contains("any of torque_journal"));
   CHECK_THROWS_WITH(verified(Quantities::equilibrium, "squeeze_short", {}, {}), Contains("carries no load"));
 }
+
+}  // namespace verify_tables_test

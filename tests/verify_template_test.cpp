@@ -9,6 +9,8 @@
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace verify_template_test {
+
 using namespace lubjoint;
 using namespace lubjoint::test;
 using Catch::Contains;
@@ -94,3 +96,5 @@ TEST_CASE("verify: an adapter in another language is refused, and so is an optio
   CHECK(beside.status == 2);
   CHECK_THAT(beside.err, Contains("--law does nothing with --template"));
 }
+
+}  // namespace verify_template_test

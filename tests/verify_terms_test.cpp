@@ -5,6 +5,8 @@
 #include "oracle/verify/terms/factor.hpp"
 #include "support/verify_answers.hpp"
 
+namespace verify_terms_test {
+
 using namespace lubjoint;
 using namespace lubjoint::verify;
 using namespace lubjoint::test;
@@ -150,3 +152,5 @@ TEST_CASE("verify: a wrong law beside all eight is said to be none of them") {
   CHECK(v.law_is_doubtful);
   CHECK_THAT(next_step(v), Catch::Contains("none of these"));
 }
+
+}  // namespace verify_terms_test

@@ -5,6 +5,8 @@
 #include "oracle/verify/states/answers.hpp"
 #include "oracle/verify/trajectory/deviation.hpp"
 
+namespace verify_trajectory_test {
+
 using namespace lubjoint::verify;
 using Catch::Contains;
 
@@ -140,3 +142,5 @@ TEST_CASE("trajectory: files that can't be compared are refused with the reason"
   for (auto& [name, column] : brief.columns) column.resize(20);
   CHECK_THROWS_WITH(deviation(reference(), brief), Contains("at least half"));
 }
+
+}  // namespace verify_trajectory_test

@@ -5,6 +5,8 @@
 
 #include "support/run_program.hpp"
 
+namespace version_test {
+
 using namespace lubjoint::test;
 
 TEST_CASE("Version: the program says the header's, and the changelog begins with it") {
@@ -15,3 +17,5 @@ TEST_CASE("Version: the program says the header's, and the changelog begins with
   }
   CHECK(line == "## " LUBJOINT_VERSION);
 }
+
+}  // namespace version_test
