@@ -177,11 +177,10 @@ std::string wins(const std::vector<RaceVerdict>& verdicts) {
 
 std::string scene_bench_table(const std::vector<BenchRow>& rows, const std::vector<BenchReference>& references) {
   std::string text =
-      "Milliseconds to reach an error, between tolerances on a log-log line; processor time of the integration alone, "
-      "medians. The\n"
-      "error is the largest |e - e_ref|/c at the reference's times, or with ideal joints of a position over the "
-      "mechanism's size "
-      "and\nof an angle. Radau x: how many times as long as radau_iia5. -: does not get there, or was not run.\n";
+      "Milliseconds to reach an error, between tolerances on a log-log line; processor time of the integration alone,\n"
+      "medians at the machine's usual pace. The error is the largest |e - e_ref|/c at the reference's times, or with\n"
+      "ideal joints of a position over the mechanism's size and of an angle. Radau x: how many times as long as\n"
+      "radau_iia5. -: does not get there, or was not run.\n";
   std::string scene;
   const std::vector<Race> all = races(rows);
   for (const Race& race : all) {
