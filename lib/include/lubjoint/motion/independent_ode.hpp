@@ -48,7 +48,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
         slopes_(n_),
         slopes_work_(3 * n_),
         v_slopes_(n_),
-        reduced_slopes_(freedoms()) {
+        reduced_slopes_(freedoms()),
+        motion_slopes_(freedoms()) {
     In::hold_tables(ode, w_);
     In::hold_tables(ode, dual_);
   }
@@ -63,6 +64,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
       if (chart_.is_of_joint(k) && chart_.is_of_joint(k + 1) && chart_.joint_of(k) == chart_.joint_of(k + 1))
         function_of_joint_[chart_.joint_of(k)] = k;
     }
+    all_eccentricities_ = !function_of_joint_.empty() && std::find(function_of_joint_.begin(), function_of_joint_.end(),
+                                                                   not_chosen) == function_of_joint_.end();
   }
 
   /// (z, ż, work) of a whole state, from whose places the next search starts.
@@ -178,6 +181,36 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     }
   }
 
+  /// (VᵀMV)⁻¹ ∂F/∂(e, ė) of the joints, with F the force on a journal. V and the bodies' spins are held.
+  void force_part(const State& x, Jacobian& j, const R& t) override {
+    follow(t, x);
+    accelerate(t);
+    const std::size_t f = freedoms();
+    if (In::slides(w_))
+      return jacobian(x, j, t);  // all of it: what holds a journal on its line is no force of its place
+    j.block(index(f), 0, index(f), index(2 * f)).setZero();
+    for (std::size_t joint = 0; joint < function_of_joint_.size(); ++joint) {
+      const std::size_t k = function_of_joint_[joint];
+      JournalMotion<OfMotion> motion{{OfMotion::variable(latest().z[k], 0), OfMotion::variable(latest().z[k + 1], 1)},
+                                     {OfMotion::variable(speeds_[k], 2), OfMotion::variable(speeds_[k + 1], 3)},
+                                     OfMotion(w_.joints[joint].kinematics.motion.bearing_spin),
+                                     OfMotion(w_.joints[joint].kinematics.motion.journal_spin)};
+      const JointElement<R>& element = system_.joint_in_plane(joint);
+      const Vector2<OfMotion> force =
+          element.force_on_journal(motion, memory().empty() ? JointMemory<R>() : memory()[joint]);
+      for (auto& each : motion_slopes_) each.setZero();
+      motion_slopes_[k] = force.x().derivatives();
+      motion_slopes_[k + 1] = force.y().derivatives();
+      reduced_.solve(motion_slopes_.data());
+      for (std::size_t i = 0; i < f; ++i) {
+        for (std::size_t of = 0; of < 4; ++of)
+          j(index(f + i), index(of / 2 * f + k + of % 2)) += motion_slopes_[i](index(of));
+      }
+    }
+  }
+  /// Where all joints, and there are some, have their eccentricities among the functions.
+  bool has_force_part() const override { return all_eccentricities_; }
+
   /// ∂ẋ/∂t at fixed x, exact likewise.
   void time_slope(const State& x, State& slope, const R& t) override {
     multipliers(x, t);
@@ -196,6 +229,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
 
  private:
   using Slopes = typename Seeded::Derivatives;
+  using OfMotion = Dual<R, 4>;  ///< with derivatives by (e, ė)
   using Motion::accelerate_unmoved;
   using Motion::accelerated_;
   using Motion::accelerations_;
@@ -447,6 +481,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   Equations& ode_;
   typename In::template Workspace<Seeded> dual_;
   std::vector<std::size_t> function_of_joint_;  ///< the first of the two that are its eccentricity, or not_chosen
+  bool all_eccentricities_ = false;             ///< are those of all joints, of which there are some, functions?
   typename In::Mass mass_;                      ///< M
 
   // Work, kept so that no evaluation allocates.
@@ -454,6 +489,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   std::vector<Seeded> seeded_;
   std::vector<typename In::template Row<Seeded>> seeded_functions_;
   std::vector<Slopes> right_slopes_, slopes_, slopes_work_, v_slopes_, reduced_slopes_;
+  std::vector<typename OfMotion::Derivatives> motion_slopes_;
   std::vector<Seeded> powers_;
   Full full_;  ///< of a look for kinks
 };

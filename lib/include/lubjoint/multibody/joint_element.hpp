@@ -177,32 +177,22 @@ struct JointElement {
                          const PlanarFrame<T>& journal_body, const JointMemory<R>& memory) const {
     JointForce<T> result{at, Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
     const JournalMotion<T>& motion = result.kinematics.motion;
-    const auto of_film = [&] {
+    add_forces(motion, memory, result, [&] {
       if (memory.side != FilmSide::sliding) return film_force(motion, memory.side);
       const SlidePlace<T> place = slide_place(bearing_body, journal_body, motion, memory);
       const T along = jump_force(place).along;
       return Vector2<T>(T(along * place.line.x()), T(along * place.line.y()));
-    };
-    if (!contact) {
-      result.film = of_film();
-      return result;
-    }
-    if (memory.phase == ContactPhase::film) {
-      if (film) result.film = of_film();
-      return result;
-    }
-    const ContactForce<T> dry = dry_contact_force(motion, bearing, contact->surface, memory.impact_speed);
-    if (memory.phase == ContactPhase::dry || !film) {
-      result.contact = dry;
-      return result;
-    }
-    // The two parts of eq. 20, kept apart: the ledger books them apart.
-    const TransitionShares<T> share = shares_at(motion);
-    const Vector2<T> oil = of_film();
-    result.film = Vector2<T>(T(share.film * oil.x()), T(share.film * oil.y()));
-    result.contact.force = Vector2<T>(T(share.contact * dry.force.x()), T(share.contact * dry.force.y()));
-    result.contact.couple = share.contact * dry.couple;
+    });
     return result;
+  }
+
+  /// Force on the journal [N], which does not slide on its film's jump.
+  template <class T>
+  Vector2<T> force_on_journal(const JournalMotion<T>& motion, const JointMemory<R>& memory) const {
+    const Vector2<T> none(T(0), T(0));
+    JointForce<T> result{{none, none, motion}, none, {none, T(0)}};
+    add_forces(motion, memory, result, [&] { return film_force(motion, memory.side); });
+    return result.total();
   }
 
   /// The journal seen along the line that its memory names.
@@ -271,6 +261,31 @@ struct JointElement {
   }
 
  private:
+  /// The two parts of a joint's force, the film's by of_film().
+  template <class T, class OfFilm>
+  void add_forces(const JournalMotion<T>& motion, const JointMemory<R>& memory, JointForce<T>& result,
+                  const OfFilm& of_film) const {
+    if (!contact) {
+      result.film = of_film();
+      return;
+    }
+    if (memory.phase == ContactPhase::film) {
+      if (film) result.film = of_film();
+      return;
+    }
+    const ContactForce<T> dry = dry_contact_force(motion, bearing, contact->surface, memory.impact_speed);
+    if (memory.phase == ContactPhase::dry || !film) {
+      result.contact = dry;
+      return;
+    }
+    // The two parts of eq. 20, kept apart: the ledger books them apart.
+    const TransitionShares<T> share = shares_at(motion);
+    const Vector2<T> oil = of_film();
+    result.film = Vector2<T>(T(share.film * oil.x()), T(share.film * oil.y()));
+    result.contact.force = Vector2<T>(T(share.contact * dry.force.x()), T(share.contact * dry.force.y()));
+    result.contact.couple = share.contact * dry.couple;
+  }
+
   /// Of a motion whose film has just been asked for its force, and looked at there.
   template <class T>
   FilmState<T> sheared_film(const JournalMotion<T>& motion) const {

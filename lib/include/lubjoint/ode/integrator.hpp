@@ -39,6 +39,13 @@ class OdeSystem {
   /// Numbers whose changes of sign are kinks: f has one derivative there that is continuous, and no second one. Always
   /// as many.
   virtual void kinks(const State&, const R&, std::vector<R>& values) { values.clear(); }
+  /// Of equations of motion y = (q, v, work), q̇ = v: of ∂v̇/∂(q, v) a part that forces make, which may be another at
+  /// each stage of a step where films are thin, while the rest of ∂f/∂y changes as the bodies move. It costs a fraction
+  /// of jacobian() at the state of which the last rate, or the last Jacobian, was asked.
+  /// @param j  of the size of ∂f/∂y: its rows of v̇ are filled, and no other is to be read
+  virtual void force_part(const State&, Jacobian& j, const R&) { j.setZero(); }
+  /// Has it such a part?
+  virtual bool has_force_part() const { return false; }
 };
 
 /// What a run of an integrator has cost beyond evaluations of f.

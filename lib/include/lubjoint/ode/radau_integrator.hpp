@@ -76,9 +76,19 @@ class RadauIntegrator final : public Integrator<R, N> {
   /// Halvings that find a kink. An error δ of its place leaves one of the order of δ³ in the state.
   static constexpr int most_halvings = 12;
 
+  /// The system as RadauIIA takes it.
   static auto parts_of(System& system) {
-    return std::make_pair([&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); },
-                          [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.jacobian(x, j, s); });
+    const auto rate = [&system](const State& x, State& dxdt, const R& s) { system.rate(x, dxdt, s); };
+    const auto jacobian = [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.jacobian(x, j, s); };
+    const auto of_forces = [&system](const State& x, JacobianOf<R, N>& j, const R& s) { system.force_part(x, j, s); };
+    const auto has_some = [&system] { return system.has_force_part(); };
+    struct Parts {
+      decltype(rate) first;
+      decltype(jacobian) second;
+      decltype(of_forces) force_part;
+      decltype(has_some) has_force_part;
+    };
+    return Parts{rate, jacobian, of_forces, has_some};
   }
 
   static State scaled(State absolute) {

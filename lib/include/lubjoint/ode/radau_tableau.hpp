@@ -34,6 +34,8 @@ class RadauTableau {
   Pairs beta;            ///< their imaginary parts, positive
   Matrix t;              ///< T
   Matrix t_inverse;      ///< T⁻¹
+  Matrix a;              ///< A: integrals of the polynomials through the stages
+  Matrix a_inverse;      ///< A⁻¹
   Vector end_slopes;     ///< slopes at 1 of the polynomials of interpolating()
   Vector error_weights;  ///< of the stage increments z: −p′(0) of the polynomial through (0, 0) and (c, z)
 
@@ -74,6 +76,8 @@ class RadauTableau {
     }
     t = longer.t.template cast<R>();
     t_inverse = longer.t_inverse.template cast<R>();
+    a = longer.a.template cast<R>();
+    a_inverse = longer.a_inverse.template cast<R>();
     end_slopes = longer.end_slopes.template cast<R>();
     error_weights = longer.error_weights.template cast<R>();
     scale();
@@ -115,6 +119,16 @@ class RadauTableau {
       }
     }
     t_inverse = t.inverse();
+    Matrix eigenvalues = Matrix::Zero();
+    eigenvalues(0, 0) = gamma;
+    for (int pair = 0; pair < pairs; ++pair) {
+      const int first = 2 * pair + 1;
+      eigenvalues(first, first) = eigenvalues(first + 1, first + 1) = alpha[at(pair)];
+      eigenvalues(first + 1, first) = beta[at(pair)];
+      eigenvalues(first, first + 1) = -beta[at(pair)];
+    }
+    a_inverse = t * eigenvalues * t_inverse;
+    a = a_inverse.inverse();
     scale();
     constexpr int end = Stages - 1;
     end_slopes(end) = R(1);
