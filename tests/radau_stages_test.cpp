@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -34,7 +35,8 @@ struct Squeezed {
     j << 0, 1, -spring(t) - slope(x[0]) * x[1], -damping(x[0]);
   }
   void force_part(const State& x, Eigen::Matrix2d& j, double) const {
-    j << 7, 7, -share * slope(x[0]) * x[1], -share * damping(x[0]);  // rows of q̇ are not to be read
+    const double not_to_be_read = std::numeric_limits<double>::quiet_NaN();
+    j << not_to_be_read, not_to_be_read, -share * slope(x[0]) * x[1], -share * damping(x[0]);
   }
 };
 
@@ -104,7 +106,8 @@ double stage_defect(Eigen::Index m, Eigen::Index works, std::mt19937& random) {
   typename Solver::AllStages r;
   for (auto& each : own) {
     each = some_jacobian(m, works, random);
-    each.topRows(m).setConstant(7);  // not to be read, as the rows of work
+    each.topRows(m).setConstant(std::numeric_limits<double>::quiet_NaN());  // not to be read, as the rows of work
+    each.bottomRows(works).setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   for (auto& each : r) each = Eigen::VectorXd::Random(n);
   typename Solver::AllStages x = r;
@@ -112,10 +115,16 @@ double stage_defect(Eigen::Index m, Eigen::Index works, std::mt19937& random) {
   solver.factorise(rest, own, m, h);
   solver.solve_in_place(x);
   double largest = 0;
+  typename Solver::Vector filtered = r[0];
+  solver.filter(r[0], filtered);
   for (int i = 0; i < Stages; ++i) {
     const auto at = static_cast<std::size_t>(i);
     Eigen::MatrixXd whole = rest;
     whole.middleRows(m, m) += own[at].middleRows(m, m);
+    if (i == Stages / 2) {
+      const Eigen::VectorXd left = RadauTableau<double, Stages>::instance().gamma / h * filtered - whole * filtered;
+      largest = std::max(largest, (left - r[0]).cwiseAbs().maxCoeff());
+    }
     Eigen::VectorXd defect = -(whole * x[at]) - r[at];
     for (int j = 0; j < Stages; ++j) defect += a_inverse(i, j) / h * x[static_cast<std::size_t>(j)];
     largest = std::max(largest, defect.cwiseAbs().maxCoeff());
@@ -139,7 +148,9 @@ TEST_CASE("radau tableau: A takes powers to their integrals up to each abscissa,
   check(std::integral_constant<int, 5>());
 }
 
-TEST_CASE("radau stages: the solver's increments fulfil the equations of all stages, works among them") {
+TEST_CASE(
+    "radau stages: the solver's increments fulfil the equations of all stages, works among them, and the filter its "
+    "own") {
   std::mt19937 random(1);
   // Of right sides of 1; the increments' terms are up to 1e4 of it, and so is the condition.
   for (int trial = 0; trial < 10; ++trial) {

@@ -21,9 +21,9 @@ namespace lubjoint {
 /// Increments z of the stages from a state x, and the linear systems that they are found with: one Jacobian for all on
 /// the transformed stages, one real and (s − 1)/2 complex factorisations a step. Where a system knows the part of its
 /// Jacobian that forces make (OdeSystem::force_part), each stage has its own of that, and what is left of the Jacobian
-/// lasts for many steps. In a thin film a force's slopes change by a multiple within a step: at equal error that takes
-/// 30 to 45 % fewer evaluations of order 9 and 5 to 30 % of order 5 (slider-cranks), and a fifth of the Jacobians.
-/// The system's parts are as RadauIIA says; parts.force_part(x, J, t) is looked for in them.
+/// lasts for many steps; works lag one iteration. In a thin film a force's slopes change by a multiple within a step:
+/// at equal error that takes 30 to 45 % fewer evaluations of order 9 and 5 to 30 % of order 5 (slider-cranks), and a
+/// fifth of the Jacobians. The system's parts are as RadauIIA says; parts.force_part(x, J, t) is looked for in them.
 /// @tparam N  number of states, or run_time_size;  @tparam Linear  as of RadauIIA
 template <class R, std::size_t N, int Stages, class Linear>
 class RadauStages {
@@ -39,7 +39,7 @@ class RadauStages {
   static constexpr int most_iterations = 15;                        ///< of a step
 
   /// Takes work of every size at once: no step allocates, and a copy copies numbers.
-  explicit RadauStages(std::size_t states) : solver_(index(states)), estimator_(index(states)) {
+  explicit RadauStages(std::size_t states) : solver_(index(states)) {
     Linear::prepare(jacobian_, index(states));
     for (Vector* v : {&right_, &solution_}) v->setZero(index(states));
     for (AllStages* each : {&z_, &w_, &g_, &change_}) {
@@ -159,7 +159,7 @@ class RadauStages {
   const Vector& filtered(const Vector& r) {
     if constexpr (has_full_jacobian) {
       if (has_own_parts_) {
-        estimator_.solve(r, solution_);
+        stage_solver_.filter(r, solution_);
         return solution_;
       }
     }
@@ -220,7 +220,7 @@ class RadauStages {
         if (!own) continue;
         Matrix& part = own_.parts[stage];
         parts.force_part(trial_, part, t_stage);
-        if (!part.allFinite()) return false;
+        if (!own_.rates_of(part).allFinite()) return false;
       }
     }
     return true;
@@ -240,9 +240,6 @@ class RadauStages {
   void factorise_stages(const R& h) {
     if constexpr (has_full_jacobian) {
       stage_solver_.factorise(jacobian_, own_.parts, own_.coordinates, h);
-      own_.of_middle = jacobian_;
-      own_.rates_of(own_.of_middle) += own_.rates_of(own_.parts[middle]);
-      estimator_.factorise(own_.of_middle, tableau_.gamma / h, {}, {});
       ++counts_.factorisations;
     }
   }
@@ -291,16 +288,16 @@ class RadauStages {
 
   /// What each stage has of its own beside jacobian_, which they share.
   struct OwnParts {
+    OwnParts() {
+      if constexpr (N != run_time_size) parts.fill(Matrix::Zero());
+    }
+
     Index coordinates = 0;  ///< of (q, v, work)
     std::array<Matrix, stages> parts;
-    Matrix of_middle;  ///< the whole Jacobian of the middle stage
 
     auto rates_of(Matrix& jacobian) const { return jacobian.middleRows(coordinates, coordinates); }  ///< of v
   };
-  struct Nothing {
-    Nothing() = default;
-    explicit Nothing(Index) {}
-  };
+  struct Nothing {};
   template <class T>
   using IfFull = std::conditional_t<has_full_jacobian, T, Nothing>;
 
@@ -313,7 +310,6 @@ class RadauStages {
   bool has_own_parts_ = false;
   [[no_unique_address]] IfFull<OwnParts> own_;
   [[no_unique_address]] IfFull<StageSolver<R, Scale::dimension, Stages>> stage_solver_;
-  [[no_unique_address]] IfFull<ShiftedSolver<R, Scale::dimension, 0>> estimator_;
 
   AllStages z_;
   int iterations_ = 0;

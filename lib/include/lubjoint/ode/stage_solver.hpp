@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "lubjoint/ode/radau_tableau.hpp"
+#include "lubjoint/ode/second_order_solver.hpp"
 
 namespace lubjoint {
 
@@ -46,6 +47,20 @@ class StageSolver {
       this->block(whole_, i * m, i * m) -= d_rest + of_accelerations(own[at(i)], m);
     }
     lu_.compute(whole_);
+    of_middle_ = rest;
+    of_middle_.middleRows(m, m) += own[static_cast<std::size_t>(Stages / 2)].middleRows(m, m);
+    shift_ = tableau_.gamma / h;
+    real_.factorise(of_middle_, m, shift_);
+  }
+
+  /// (γ/h − J) x = r, J that of the middle stage.
+  void filter(const Vector& r, Vector& x) {
+    x = r;
+    real_.solve_in_place(x, m_);
+    const Eigen::Index works = x.size() - 2 * m_;
+    if (works == 0) return;
+    add_power(x, works);
+    x.tail(works) /= shift_;
   }
 
   /// Replaces r by x.
@@ -93,10 +108,14 @@ class StageSolver {
   }
   auto of_accelerations(const Matrix& jacobian, Eigen::Index column) const { return block(jacobian, m_, column); }
 
+  /// What C x_q + E x_v adds to the rows of work.
+  void add_power(Vector& x, Eigen::Index works) const {
+    x.tail(works).noalias() += rest_->block(2 * m_, 0, works, 2 * m_) * x.head(2 * m_);
+  }
+
   void solve_works(AllStages& r, Eigen::Index works) {
-    const Eigen::Index moving = 2 * m_;
-    for (Vector& x : r) x.tail(works).noalias() += rest_->block(moving, 0, works, moving) * x.head(moving);
-    for (Eigen::Index w = moving; w < moving + works; ++w) {
+    for (Vector& x : r) add_power(x, works);
+    for (Eigen::Index w = 2 * m_; w < 2 * m_ + works; ++w) {
       Eigen::Matrix<R, Stages, 1> slopes;
       for (Eigen::Index i = 0; i < Stages; ++i) slopes(i) = r[at(i)](w);
       const Eigen::Matrix<R, Stages, 1> sums = times_a_ * slopes;
@@ -115,6 +134,9 @@ class StageSolver {
   Eigen::Matrix<R, unknowns, 1> right_ = Eigen::Matrix<R, unknowns, 1>::Zero(start_size);
   Eigen::Matrix<R, unknowns, 1> found_ = right_;
   std::array<Block, static_cast<std::size_t>(Stages)> stiffness_;
+  Matrix of_middle_;  ///< J of the middle stage
+  R shift_ = 0;
+  SecondOrderSolver<R, half> real_;
   std::array<Coordinates, static_cast<std::size_t>(Stages)> integrated_;
 };
 
