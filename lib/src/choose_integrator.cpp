@@ -23,7 +23,8 @@ constexpr double followed_below = 4e-8;
 /// An explicit step of order 5 costs 6 evaluations; one of Radau about 25, its Jacobian and factors counted.
 constexpr double implicit_step_cost = 4;
 
-/// One of radau_iia9, likewise: seven Newton iterations of five stages where its tolerances are tight.
+/// One of radau_iia9, likewise, where its tolerances are tight: seven Newton iterations of five stages, or with films'
+/// slopes of its own at each four, and as many for what is seen of its inside.
 constexpr double order_nine_step_cost = 7.5;
 
 /// From this tolerance down radau_iia9 is the faster one, samples and records included; above, its steps cost more for
