@@ -46,7 +46,8 @@ auto plain(const Squeezed&) {
                         [](const auto& x, auto& j, double t) { Squeezed::jacobian(x, j, t); });
 }
 auto with_part(const Squeezed& film, bool has_one = true) {
-  const auto [rate, jacobian] = plain(film);
+  const auto rate = plain(film).first;
+  const auto jacobian = plain(film).second;
   const auto part = [film](const auto& x, auto& j, double t) { film.force_part(x, j, t); };
   const auto has = [has_one] { return has_one; };
   struct Parts {
