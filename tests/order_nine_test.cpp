@@ -74,6 +74,20 @@ TEST_CASE("order 9: a step ends at a kink, and what follows is as if there were 
   CHECK(blind.error > 1e-10);   // a step goes across
 }
 
+TEST_CASE("order 9: a ledger closes to a thousandth of the tolerance, as iterations do not stop too early") {
+  for (const std::string name : {"slider-crank", "slider-crank-c0.2-mu0.04"}) {
+    CAPTURE(name);
+    Scene scene = load_scene(scenes + name + ".toml");
+    scene.integrator = "radau_iia9";
+    scene.energy_ledger = true;
+    set_tolerance(scene, 1e-8);
+    const MultibodyTrajectory run = simulate_multibody(scene);
+    REQUIRE(run.outcome.status == RunStatus::finished);
+    // 6e-11 where the second iteration's change alone says how fast they shrink.
+    CHECK(*run.energy_residual < 1e-11 * run.energy_scale);
+  }
+}
+
 TEST_CASE("order 9: samples inside the long steps are as good as their ends, and cost none") {
   const auto run_with = [](const std::string& integrator, double tolerance, double interval) {
     Scene scene = load_scene(scenes + "slider-crank.toml");

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "lubjoint/ode/integrator.hpp"
 

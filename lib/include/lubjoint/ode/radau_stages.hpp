@@ -144,7 +144,8 @@ class RadauStages {
         const R theta = change / old_size;
         rate_of_convergence_ = iterations_ == 2 ? theta : R(sqrt(theta * rate_of_convergence_));
         if (rate_of_convergence_ >= R(0.99)) return false;
-        convergence = rate_of_convergence_ / (1 - rate_of_convergence_);
+        const R expected = has_own_parts_ ? std::max<R>(rate_of_convergence_, R(slowest_part)) : rate_of_convergence_;
+        convergence = expected / (1 - expected);
         const R remaining = convergence * change *
                             pow(rate_of_convergence_, static_cast<R>(most_iterations - 1 - iterations_)) / enough;
         if (iterations_ < most_iterations && remaining >= 1 && convergence * change > enough) return false;
@@ -181,6 +182,10 @@ class RadauStages {
   /// A Jacobian costs as much as so many evaluations of f: as many more than with a new one are worth another. From 6
   /// to 30 nothing else comes of it.
   static constexpr int evaluations_of_jacobian = 6;
+  /// With parts of their own the first iteration finds nearly all that the films have to do with, and the second is so
+  /// short that it says little of what the others, with a Jacobian that is some steps old, are slower by: no less than
+  /// this. Without it a ledger of order 9 closes a hundred times worse; with it take 6 to 12 % more evaluations.
+  static constexpr double slowest_part = 0.03;
   /// The order in which f is evaluated: a system may still know where the Jacobian was.
   static constexpr auto middle_first = [] {
     std::array<std::size_t, stages> order{};
