@@ -277,6 +277,54 @@ TEST_CASE("radau: a step that is let end inside is the shorter step, and a look 
   check(std::integral_constant<int, 5>());
 }
 
+TEST_CASE("radau: a step after one whose error was too large starts from that one's stages, and is the same step") {
+  const auto check = []<int Stages>(std::integral_constant<int, Stages>) {
+    using Stepper = RadauIIA<double, 2, Stages>;
+    using State = std::array<double, 2>;
+    const auto system = odeint_system<double>(Driven<double>());
+    const State tolerances{1e-6, 1e-6};
+    const auto begin = [&](Stepper& stepper, State& x, double& t) {
+      x = Driven<double>::exact(0.5);
+      t = 0.5;
+      double dt = 0.05;
+      REQUIRE(stepper.try_step(system, x, t, dt) == odeint::success);
+    };
+    State x;
+    double t;
+    Stepper retried(1e-6, tolerances);
+    begin(retried, x, t);
+    double dt = 0.8;
+    std::size_t before = 0;
+    double h = 0;
+    int failures = -1;
+    do {
+      CHECK(dt != h / 2);  // which would say that Newton's iterations do not converge
+      ++failures;
+      h = dt;
+      before = retried.counts().newton_iterations;
+    } while (retried.try_step(system, x, t, dt) == odeint::fail);
+    CHECK(failures > 0);
+    const std::size_t of_retry = retried.counts().newton_iterations - before;
+
+    Stepper fresh(1e-6, tolerances);
+    State y;
+    double s;
+    begin(fresh, y, s);
+    fresh.reset();
+    double ds = h;
+    before = fresh.counts().newton_iterations;
+    REQUIRE(fresh.try_step(system, y, s, ds) == odeint::success);
+    const std::size_t from_nothing = fresh.counts().newton_iterations - before;
+    INFO(of_retry << " iterations, from nothing " << from_nothing);
+    CHECK(t == s);
+    CHECK(of_retry <= 3);
+    CHECK(of_retry < from_nothing);
+    CHECK(distance(x, y) < 1e-7);  // what Newton's iterations may leave of 0.1 τ^{2/3} or 0.1 τ^{3/5}
+  };
+  check(std::integral_constant<int, 3>());
+  check(std::integral_constant<int, 5>());
+}
+
 TEST_CASE("radau: a stiff problem costs no more steps than a mild one, and stays on its solution") {
   const auto check = []<int Stages>(std::integral_constant<int, Stages>) {
     const auto mild = controlled_run<Stages, double>(ProtheroRobinson<double>{-1}, 1e-8);

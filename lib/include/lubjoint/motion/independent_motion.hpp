@@ -20,8 +20,9 @@ namespace lubjoint {
 /// functions of a chart. With A = [Φ_v; C_v]:
 ///   q from Φ(q, t) = 0, C(q) = z by Newton's method, to rounding;  A V = [0; I],  A d = [−Φ_t; 0];  v = V ż + d.
 /// What the time alone prescribes is found once for every time. The others that were found are remembered with their
-/// factors: a search starts from those of the same time, moved by V and corrected once by their factors, or from the
-/// latest ones, moved by their velocities and accelerations, which whoever has them leaves in accelerations_ and w_.
+/// factors: a search starts from those of the same time, moved by V and, where the second order of that may show,
+/// corrected once by their factors, or from the latest ones, moved by their velocities and accelerations, which whoever
+/// has them leaves in accelerations_ and w_.
 /// @tparam In  InPlane or InSpace;  @tparam Freedoms  number of z, or run_time_size
 template <class In, std::size_t Freedoms>
 class IndependentMotion {
@@ -358,7 +359,9 @@ class IndependentMotion {
           y_.data());
     } else {
       for (std::size_t k = 0; k < f; ++k) right_[k] = chart_.miss(k, right_[k], R(0));
-      In::displace(chart_, free(), along, y_.data());
+      for (std::size_t i = 0; i < free().size(); ++i) step_[i] = along(i);
+      In::displace(
+          chart_, free(), [this](std::size_t i) { return step_[i]; }, y_.data());
     }
   }
 
@@ -376,8 +379,9 @@ class IndependentMotion {
       guess(*same, t, x);
       const Moment& moment = places_.moment_of(*same);
       for (std::size_t i = 0; i < moment.frames.size(); ++i) w_.frames[prescribed().bodies[i]] = moment.frames[i];
+      const R size = size_of_step(free(), [this](std::size_t i) { return step_[i]; });
       if (move_frames_from(*same)) {
-        step_by_factors(t, x, *same);
+        if (size * size > settled() / 4) step_by_factors(t, x, *same);
       } else {
         place_frames(free());
       }
