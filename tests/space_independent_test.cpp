@@ -507,7 +507,7 @@ TEST_CASE("independent in space: a chart that wears out is replaced between two 
     std::vector<double> tolerances = scene_tolerances(*scene);
     if (scene == &rocker) {
       for (std::size_t i = 0; i < tolerances.size(); ++i)
-        tolerances[i] *= i < prepared.system.places() && i >= 7 ? 1e3 : 1;  // the rocker is known best
+        tolerances[i] *= i < prepared.system.places() && i >= 7 ? 1e2 : 1;  // the rocker is known best
     } else {
       for (std::size_t i = 0; i < 3; ++i) tolerances[i] *= 1e6;  // turns before places
     }
@@ -532,7 +532,7 @@ TEST_CASE("independent in space: a chart that wears out is replaced between two 
     end.state.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(prepared.system.states()));
     const std::vector<double> given = places(end, bodies), expected = places(wanted.samples.back(), bodies);
     for (std::size_t i = 0; i < given.size(); ++i)
-      CHECK(given[i] == Approx(expected[i]).margin(3e-7));  // others than the rocker are followed to 1e-10 a step
+      CHECK(given[i] == Approx(expected[i]).margin(3e-7));  // some 3000 steps, to 1e-11 each, and what angles make of it
     scene->coordinates = SceneCoordinates::independent;
     scene->stabilisation = {};
     CHECK(distance(simulate_spatial(*scene), wanted, bodies) < 1e-7);  // within steps, too
