@@ -96,9 +96,18 @@ auto odeint_system(const Problem& problem) {
                         [problem](const State& x, auto& j, R t) { problem.jacobian(x, j, t); });
 }
 
-/// Slope of log(error) over −log(work) between the first and the last of a series.
+/// Slope of log(error) over −log(work) of a series, by least squares.
 inline double observed_order(const std::vector<double>& work, const std::vector<double>& error) {
-  return -std::log(error.back() / error.front()) / std::log(work.back() / work.front());
+  const auto n = static_cast<double>(work.size());
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const double log_work = std::log(work[i]), log_error = std::log(error[i]);
+    x += log_work / n;
+    y += log_error / n;
+    xx += log_work * log_work / n;
+    xy += log_work * log_error / n;
+  }
+  return -(xy - x * y) / (xx - x * x);
 }
 
 }  // namespace lubjoint::test

@@ -93,13 +93,21 @@ class RadauIIA {
         jacobian_is_usable_ = true;
         jacobian_is_new_ = true;
       }
-      if (!stages_.solve(parts, x_, t_, dt, scale_, newton_tolerance_)) {
+      R error(0);
+      bool is_in_vain = false;
+      const auto is_too_long = [&](const R& left) {
+        if (first_step_ || last_failed_) return false;  // their estimates are made twice
+        error = norm(first_estimate(dt));
+        return is_in_vain = error > 1 + most_of_increment() * left;
+      };
+      if (!stages_.solve(parts, x_, t_, dt, scale_, newton_tolerance_, is_too_long)) {
+        if (is_in_vain) return reject(dt, error);
         // An older Jacobian may be to blame: the same step again with a new one. Or the guess that it was evaluated at.
         const bool try_new_jacobian = !jacobian_is_new_;
         jacobian_is_usable_ = jacobian_is_new_ && !stages_.jacobian_is_ahead();
         return try_new_jacobian ? fail(dt, R(1)) : diverge(dt);
       }
-      R error = estimate(parts.first, dt);
+      error = estimate(parts.first, dt);
       if (!std::isfinite(static_cast<double>(error))) return fail(dt, R(0.5));
       if (error < 1) {  // the end of the step is a trial state too; its rate begins the next step
         stages_.evaluate(parts.first, stages_.displaced(x_, stages_.increments().back()), t_ + dt, f_end_);
@@ -188,6 +196,14 @@ class RadauIIA {
   /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
   static constexpr double keep_step_below = 1.2;
 
+  static R safety() { return R(0.9); }                       ///< of a step's length
+  static R estimate_root() { return R(1) / R(Stages + 1); }  ///< the estimate is of order h^{s+1}
+  /// What the estimate changes by with increments of stages, in their sizes, where nothing is stiff: no more elsewhere.
+  R most_of_increment() const {
+    using std::sqrt;
+    return tableau_.error_weights.norm() * sqrt(R(Stages)) / tableau_.gamma;
+  }
+
   static R relative_part(const R& relative_tolerance) {
     using std::pow;
     if (!(relative_tolerance > 0 && relative_tolerance < 1)) {
@@ -254,7 +270,7 @@ class RadauIIA {
     t_ = end - h_old_;
     bool found = false;
     try {
-      found = stages_.solve(parts, x_, t_, h, scale_, newton_tolerance_);
+      found = stages_.solve(parts, x_, t_, h, scale_, newton_tolerance_, [](const R&) { return false; });
       if (found) use();
     } catch (const std::domain_error&) {
       found = false;
@@ -264,9 +280,9 @@ class RadauIIA {
     return found;
   }
 
-  /// First guess of the stages: the polynomial of a longer step from here whose error was too large, or the last step's,
-  /// continued. From the first of the two a step takes 2 iterations where it took 6 from nothing: at equal error
-  /// slider-cranks take 8 to 20 % fewer evaluations of order 5 at 1e-5, and of order 9 at 1e-9.
+  /// First guess of the stages: the polynomial of a longer step from here whose error was too large, or the last
+  /// step's, continued. From the first of the two a step takes 2 iterations where it took 6 from nothing: at equal
+  /// error slider-cranks take 8 to 20 % fewer evaluations of order 5 at 1e-5, and of order 9 at 1e-9.
   void start_stages(const R& h) {
     if (h_longer_ > 0) {
       Eigen::Index stage = 0;
@@ -293,45 +309,53 @@ class RadauIIA {
     }
   }
 
-  /// Scaled norm of the embedded error estimate, filtered by the real factorisation.
-  template <class F>
-  R estimate(F& f, const R& h) {
-    using std::sqrt;
+  /// The embedded error estimate, filtered by the real factorisation. Kept until the next one.
+  const Vector& first_estimate(const R& h) {
     slope_.setZero();
     for (std::size_t j = 0; j < z_old_.size(); ++j)
       slope_ += tableau_.error_weights(static_cast<Eigen::Index>(j)) * stages_.increments()[j];
     slope_ /= h;
-    const auto norm = [&](const Vector& filtered) {
-      return R(sqrt(scale_.square(filtered) / static_cast<R>(scale_.controlled())));
-    };
     right_ = f_ + slope_;
-    const Vector& first = stages_.filtered(right_);
-    R estimated = norm(first);
-    if (estimated >= 1 && (first_step_ || last_failed_)) {
-      stages_.evaluate(f, stages_.displaced(x_, first), t_, right_);
-      right_ += slope_;
-      estimated = norm(stages_.filtered(right_));
-    }
-    return estimated;
+    return stages_.filtered(right_);
+  }
+  /// The size of an error.
+  R norm(const Vector& error) const {
+    using std::sqrt;
+    return sqrt(scale_.square(error) / static_cast<R>(scale_.controlled()));
+  }
+  /// That of the estimate; where it is too large at the start or after a failure, of a second one.
+  template <class F>
+  R estimate(F& f, const R& h) {
+    const Vector& first = first_estimate(h);
+    const R estimated = norm(first);
+    if (!(estimated >= 1 && (first_step_ || last_failed_))) return estimated;
+    stages_.evaluate(f, stages_.displaced(x_, first), t_, right_);
+    right_ += slope_;
+    return norm(stages_.filtered(right_));
+  }
+
+  /// How many times as long as the next one a step of this error was.
+  R shrinkage(const R& error) const {
+    using std::pow;
+    const R effort = safety() * (2 * Equations::most_iterations + 1) /
+                     static_cast<R>(stages_.iterations() + 2 * Equations::most_iterations);
+    return std::clamp<R>(pow(error, estimate_root()) / std::min<R>(safety(), effort), R(0.125), R(5));
+  }
+
+  boost::numeric::odeint::controlled_step_result reject(R& dt, const R& error) {
+    const R next = first_step_ ? R(0.1) : R(1 / shrinkage(error));
+    jacobian_is_usable_ = jacobian_is_new_ || stages_.has_own_parts();
+    std::swap(z_longer_, stages_.increments());
+    h_longer_ = dt;
+    return fail(dt, std::min<R>(next, R(0.9)));
   }
 
   boost::numeric::odeint::controlled_step_result finish(state_type& x, R& t, R& dt, const R& error) {
     using std::pow;
-    const R estimate_root = R(1) / (Stages + 1);  // the estimate is of order h^{s+1}
-    const R safety = R(0.9);
-    const R effort = safety * (2 * Equations::most_iterations + 1) /
-                     static_cast<R>(stages_.iterations() + 2 * Equations::most_iterations);
-    const R limit = std::min<R>(safety, effort);
-    R shrink = std::clamp<R>(pow(error, estimate_root) / limit, R(0.125), R(5));
-    if (error >= 1) {
-      const R next = first_step_ ? R(0.1) : R(1 / shrink);
-      jacobian_is_usable_ = jacobian_is_new_ || stages_.has_own_parts();
-      std::swap(z_longer_, stages_.increments());
-      h_longer_ = dt;
-      return fail(dt, std::min<R>(next, R(0.9)));
-    }
+    if (error >= 1) return reject(dt, error);
+    R shrink = shrinkage(error);
     if (!first_step_) {  // Gustafsson's predictive controller
-      const R predicted = (h_accepted_ / dt) * pow(error * error / error_accepted_, estimate_root) / safety;
+      const R predicted = (h_accepted_ / dt) * pow(error * error / error_accepted_, estimate_root()) / safety();
       shrink = std::max<R>(shrink, std::clamp<R>(predicted, R(0.125), R(5)));
     }
     error_accepted_ = std::max<R>(error, R(0.01));

@@ -114,9 +114,13 @@ class RadauStages {
   }
 
   /// Simplified Newton iterations for z of a step of length h from x at t, from the guess in it, to a size of `enough`
-  /// of what is left. @returns false if they do not converge
-  template <class Parts>
-  bool solve(Parts& parts, const State& x, const R& t, const R& h, const Scale& scale, const R& enough) {
+  /// of what is left.
+  /// @param is_in_vain  is_in_vain(size of what is left): need the step, by its stages as they are, go no further?
+  ///                    Asked from the second iteration on
+  /// @returns false if they do not converge, or in vain
+  template <class Parts, class IsInVain>
+  bool solve(Parts& parts, const State& x, const R& t, const R& h, const Scale& scale, const R& enough,
+             const IsInVain& is_in_vain) {
     using std::pow;
     using std::sqrt;
     if (!has_own_parts_) {
@@ -151,6 +155,7 @@ class RadauStages {
         if (iterations_ < most_iterations && remaining >= 1 && convergence * change > enough) return false;
       }
       if (convergence * change <= enough || change == 0) return true;
+      if (!is_first && is_in_vain(R(convergence * change))) return false;
       old_size = std::max<R>(change, std::numeric_limits<R>::min());
     }
     return false;
