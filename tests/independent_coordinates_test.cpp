@@ -322,6 +322,14 @@ TEST_CASE("independent coordinates: after a search that finds no places the next
     CHECK_THROWS_AS(small.rate(*bad, rate, 1e-4), SingularConstraints);
     same();
   }
+  // Places far off that are found, and have no film: what is found from there may be another assembly, or nothing.
+  for (int i = 0; i < 60; ++i) {
+    std::vector<double> off = good;
+    off[0] += 0.15 * std::sin(1.7 * i);
+    off[1] += 0.15 * std::cos(2.3 * i);
+    CHECK_THROWS_AS(small.rate(off, rate, i % 2 ? 1e-4 : 2e-4), std::domain_error);
+    same();
+  }
 }
 
 TEST_CASE("independent coordinates: the golden trajectories are followed about as closely as in absolute ones") {

@@ -27,12 +27,16 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
+/// What a run that stopped said.
+std::string why_stopped(const StabilityRow& row) {
+  return (row.message.starts_with("stopped") ? "" : "stopped: ") + row.message;
+}
+
 /// A cell of the map: the digits that are right, × for a run that stopped, ! for one that is wrong.
 std::string cell_of(const StabilityRow* row) {
   if (!row) return "<td class=\"level-none\">·</td>";
   if (row->status == RowStatus::stopped) {
-    const char* what = row->message.starts_with("stopped") ? "" : "stopped: ";
-    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped(what + row->message));
+    return fmt::format("<td class=\"level-stop\" title=\"{}\">×</td>", escaped(why_stopped(*row)));
   }
   if (row->status == RowStatus::wrong) {
     return fmt::format("<td class=\"level-wrong\" title=\"{}\">!</td>", escaped("wrong: " + row->message));
@@ -107,8 +111,9 @@ std::string stopped_table(const std::vector<StabilityRow>& rows) {
   for (const StabilityRow& row : rows) {
     if (row.status == RowStatus::finished) continue;
     const bool wrong = row.status == RowStatus::wrong;
-    const char* what = wrong ? "✗ wrong: " : row.status == RowStatus::stopped ? "stopped: " : "finished, ";
-    table.row({row.problem, row.law, row.integrator, Cell(what + row.message, wrong ? "bad" : "")});
+    const std::string what =
+        row.status == RowStatus::stopped ? why_stopped(row) : (wrong ? "✗ wrong: " : "finished, ") + row.message;
+    table.row({row.problem, row.law, row.integrator, Cell(what, wrong ? "bad" : "")});
     ++count;
   }
   if (count == 0) return "<p>No run stopped, none is too coarse, and none is wrong.</p>\n";

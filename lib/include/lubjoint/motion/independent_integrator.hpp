@@ -70,6 +70,7 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
       return false;
     }
     y = stepped_;
+    small_.go_on_from(y);
     if (small_.wear() < R(worn_out)) chosen_ = false;
     return true;
   }

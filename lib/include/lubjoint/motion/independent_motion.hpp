@@ -62,6 +62,10 @@ class IndependentMotion {
     inverse_length_ = length > 0 ? R(1 / length) : R(1);
   }
 
+  /// Where a search or the forces at its places fail, all that was found is forgotten, which would lead there again:
+  /// the next search then starts from the places of this state, the last that is known to be right.
+  void go_on_from(const Full& y) { std::copy_n(y.begin(), places_end_, taken_.begin()); }
+
   /// (z, ż) and their rates of a state and its rates, both whole. Turns are of the revolution that is nearest to what
   /// was seen before.
   void see(const Full& y, const Full& rate, std::vector<R>& x, std::vector<R>& x_rate) {
@@ -199,7 +203,9 @@ class IndependentMotion {
     const bool placed = here_ && t == latest().t && same(latest().z, x.data());
     if (placed && same(speeds_, x.data() + f)) return;
     here_ = false;
-    if (!placed) find_places(t, x);
+    if (!placed) {
+      forget_if_it_fails([&] { find_places(t, x); });
+    }
     accelerated_ = false;
     find_velocities(latest(), x);
     for (std::size_t k = 0; k < f; ++k) speeds_[k] = x[f + k];
@@ -210,6 +216,17 @@ class IndependentMotion {
     chart_.parts().for_each_coupling(
         latest().numbers.data(), [&](auto row, auto column, const R& k) { gammas_[row] -= k * prescribed[column]; });
     here_ = true;
+  }
+
+  /// Does what may find no places, or no forces there: see go_on_from.
+  template <class Act>
+  void forget_if_it_fails(const Act& act) {
+    try {
+      act();
+    } catch (const std::domain_error&) {
+      forget();
+      throw;
+    }
   }
 
   /// v̇ at the place of the last follow if z̈ = 0.

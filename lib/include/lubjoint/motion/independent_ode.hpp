@@ -272,11 +272,13 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     const std::size_t f = freedoms();
     // A film's eccentricity is a state itself: the difference of two positions would have their rounding, 1e-13 of a
     // clearance at each evaluation anew, and a stiff film would multiply it.
-    In::apply_forces(system_, t, memory(), w_, [this](std::size_t joint, auto& at) {
-      const std::size_t k = function_of_joint_[joint];
-      if (k == not_chosen) return;
-      at.motion.eccentricity = Vector2<R>(latest().z[k], latest().z[k + 1]);
-      at.motion.velocity = Vector2<R>(speeds_[k], speeds_[k + 1]);
+    Motion::forget_if_it_fails([&] {
+      In::apply_forces(system_, t, memory(), w_, [this](std::size_t joint, auto& at) {
+        const std::size_t k = function_of_joint_[joint];
+        if (k == not_chosen) return;
+        at.motion.eccentricity = Vector2<R>(latest().z[k], latest().z[k + 1]);
+        at.motion.velocity = Vector2<R>(speeds_[k], speeds_[k + 1]);
+      });
     });
     R* a = w_.accelerations.data();
     if (In::slides(w_)) {  // their forces hold journals on lines: by the whole equations

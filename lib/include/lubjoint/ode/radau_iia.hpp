@@ -196,6 +196,8 @@ class RadauIIA {
   /// Growth of the step that isn't worth new factors, once the Jacobian is kept.
   static constexpr double keep_step_below = 1.2;
 
+  static constexpr double most_growth = 8;  ///< of a step to the next
+
   static R safety() { return R(0.9); }                       ///< of a step's length
   static R estimate_root() { return R(1) / R(Stages + 1); }  ///< the estimate is of order h^{s+1}
   /// What the estimate changes by with increments of stages, in their sizes, where nothing is stiff: no more elsewhere.
@@ -293,7 +295,7 @@ class RadauIIA {
       }
       return;
     }
-    if (!has_old_step_ || last_failed_) {
+    if (!has_old_step_ || last_failed_ || h > R(2 * most_growth) * h_old_) {  // far beyond a step that was cut short
       for (Vector& z : stages_.increments()) z.setZero();
       return;
     }
@@ -339,7 +341,7 @@ class RadauIIA {
     using std::pow;
     const R effort = safety() * (2 * Equations::most_iterations + 1) /
                      static_cast<R>(stages_.iterations() + 2 * Equations::most_iterations);
-    return std::clamp<R>(pow(error, estimate_root()) / std::min<R>(safety(), effort), R(0.125), R(5));
+    return std::clamp<R>(pow(error, estimate_root()) / std::min<R>(safety(), effort), R(1 / most_growth), R(5));
   }
 
   boost::numeric::odeint::controlled_step_result reject(R& dt, const R& error) {
@@ -356,7 +358,7 @@ class RadauIIA {
     R shrink = shrinkage(error);
     if (!first_step_) {  // Gustafsson's predictive controller
       const R predicted = (h_accepted_ / dt) * pow(error * error / error_accepted_, estimate_root()) / safety();
-      shrink = std::max<R>(shrink, std::clamp<R>(predicted, R(0.125), R(5)));
+      shrink = std::max<R>(shrink, std::clamp<R>(predicted, R(1 / most_growth), R(5)));
     }
     error_accepted_ = std::max<R>(error, R(0.01));
     h_accepted_ = dt;
