@@ -43,7 +43,10 @@ class ScriptedSteps final : public Method {
     on_reset_();
   }
   std::unique_ptr<Method> fresh() const override { return std::make_unique<ScriptedSteps>(*this); }
-  void refine_end_rate(State&) const override { ++requests_.end_rates; }
+  bool end_rate(State&) const override {
+    ++requests_.end_rates;
+    return false;
+  }
   std::size_t looks_inside() const override { return 2; }
   /// As an implicit method's, whose samples inside a step are on the interpolant.
   StepperCounts counts() const override {

@@ -190,7 +190,7 @@ class RaceCase final : public BenchCase {
     step.y_new = y;
     std::swap(step.rate_old, step.rate_new);
     problem_->rate(y, step.rate_new, t);
-    integrator.refine_end_rate(step.rate_new);
+    integrator.end_rate(step.rate_new);
     step.smooth_rates = integrator.has_smooth_rates();
     step.has_middle = false;
     integrator.see_inside(*problem_, step);

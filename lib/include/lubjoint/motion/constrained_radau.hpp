@@ -43,7 +43,7 @@ class ConstrainedRadau final : public Integrator<R, run_time_size> {
     return another;
   }
   /// The rate at the last step's end, from its stages.
-  void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
+  bool end_rate(State& rate) const override { return stepper_.end_rate(rate); }
   std::size_t looks_inside() const override { return 8; }  // its steps are long
   StepperCounts counts() const override { return stepper_.counts(); }
 

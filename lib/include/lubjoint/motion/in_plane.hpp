@@ -116,11 +116,11 @@ struct InPlane {
   static void displace(const Chart&, const Part& part, const By& by, R* q) {
     for (std::size_t i = 0; i < part.size(); ++i) q[part.columns[i]] += by(i);
   }
-  /// A displacement of velocity i in the size of its coordinate.
-  static R relative_size(std::size_t i, const R& displacement, const R* q, const R& inverse_length) {
+  /// A displacement of the i-th velocity of a part in the size of its coordinate.
+  static R relative_size(const Part& part, std::size_t i, const R& displacement, const R* q, const R& inverse_length) {
     const R size = size_of(displacement);
-    if (i % 3 != 2) return size * inverse_length;
-    const R angle = size_of(q[i]);
+    if (part.components[i] < 2) return size * inverse_length;
+    const R angle = size_of(q[part.columns[i]]);
     return angle > 1 ? R(size / angle) : size;
   }
 

@@ -135,11 +135,11 @@ struct InSpace {
       i += 3;
     }
   }
-  /// A displacement of velocity i in the size of its coordinate.
-  static R relative_size(std::size_t i, const R& displacement, const R*, const R& inverse_length) {
+  /// A displacement of the i-th velocity of a part in the size of its coordinate.
+  static R relative_size(const Part& part, std::size_t i, const R& displacement, const R*, const R& inverse_length) {
     using std::abs;
     const R size = abs(displacement);
-    return i % velocities < 3 ? R(size * inverse_length) : size;
+    return part.components[i] < 3 ? R(size * inverse_length) : size;
   }
 
   /// The frame of a body at its place q.

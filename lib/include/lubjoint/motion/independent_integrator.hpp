@@ -60,6 +60,8 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
         return false;
       }
       small_.expand(t, x_, stepped_);
+      x_rate_ = x_;
+      if (method_->end_rate(x_rate_)) small_.go_on_with(x_rate_);
       In::go_on_from(start_, R(t - before), ode_.system().bodies().size(), stepped_);
     } catch (const std::domain_error&) {
       t = before;
@@ -77,10 +79,11 @@ class IndependentIntegrator final : public Integrator<typename In::R, run_time_s
   void reset() override { method_->reset(); }
   std::unique_ptr<Base> fresh() const override { return std::unique_ptr<Base>(new IndependentIntegrator(*this)); }
   /// The rate at the last step's end, from its stages.
-  void refine_end_rate(State& rate) const override {
+  bool end_rate(State& rate) const override {
     small_.take_rate(rate, x_rate_);
-    method_->refine_end_rate(x_rate_);
+    const bool known = method_->end_rate(x_rate_);
     small_.expand_rate(x_rate_, rate);
+    return known;
   }
   /// Between its ends z is the polynomial: q's would have errors of the size of the whole motion, in films a thousand
   /// times thinner.

@@ -246,6 +246,7 @@ class IndependentMotion {
   Full y_;                                ///< (q, v) of the last evaluation
   bool here_ = false;                     ///< is y_ that of the latest place and of speeds_?
   bool accelerated_ = false;              ///< and are the accelerations?
+  bool forced_ = false;                   ///< by forces that are in w_, too?
   std::vector<R> speeds_;                 ///< ż
   std::vector<R> accelerations_;          ///< z̈
   std::vector<R> gammas_;                 ///< of the free rows, less what the prescribed accelerations are to them
@@ -325,7 +326,7 @@ class IndependentMotion {
   R size_of_step(const Part& part, const Step& step) const {
     R size(0);
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const R of_this = In::relative_size(part.columns[i], step(i), y_.data(), inverse_length_);
+      const R of_this = In::relative_size(part, i, step(i), y_.data(), inverse_length_);
       if (!(of_this <= size)) size = of_this;
       if (std::isnan(static_cast<double>(size))) break;
     }

@@ -49,7 +49,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
         slopes_work_(3 * n_),
         v_slopes_(n_),
         reduced_slopes_(freedoms()),
-        motion_slopes_(freedoms()) {
+        motion_slopes_(freedoms()),
+        force_slopes_(2 * ode.system().joints().size()) {
     In::hold_tables(ode, w_);
     In::hold_tables(ode, dual_);
   }
@@ -95,6 +96,17 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     accelerate_unmoved(y_rate.data() + places_end_);
     add_along(latest(), x_rate.data() + f, y_rate.data() + places_end_);
     for (std::size_t i = works_begin(); i < y_rate.size(); ++i) y_rate[i] = x_rate[2 * f + i - works_begin()];
+  }
+  /// Takes the rates of (z, ż, work) at the place of the last expansion from whoever knows them without forces: the
+  /// next search starts with them.
+  void go_on_with(const State& x_rate) {
+    if (accelerated_) return;
+    const std::size_t f = freedoms();
+    for (std::size_t k = 0; k < f; ++k) accelerations_[k] = x_rate[f + k];
+    accelerate_unmoved(w_.accelerations.data());
+    add_along(latest(), accelerations_.data(), w_.accelerations.data());
+    accelerated_ = true;
+    forced_ = false;
   }
   /// The rates of (z, ż, work) in those of the whole state of the last expansion.
   void take_rate(const Full& y_rate, State& x_rate) {
@@ -181,26 +193,20 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
     }
   }
 
-  /// (VᵀMV)⁻¹ ∂F/∂(e, ė) of the joints, with F the force on a journal. V and the bodies' spins are held.
+  /// (VᵀMV)⁻¹ ∂F/∂(e, ė) of the joints, with F the force on a journal. V and the bodies' spins are held. A rate that is
+  /// asked for next at the same place is known.
   void force_part(const State& x, Jacobian& j, const R& t) override {
     follow(t, x);
-    accelerate(t);
+    accelerate(t, true);
     const std::size_t f = freedoms();
     if (In::slides(w_))
       return jacobian(x, j, t);  // all of it: what holds a journal on its line is no force of its place
     j.block(index(f), 0, index(f), index(2 * f)).setZero();
     for (std::size_t joint = 0; joint < function_of_joint_.size(); ++joint) {
       const std::size_t k = function_of_joint_[joint];
-      JournalMotion<OfMotion> motion{{OfMotion::variable(latest().z[k], 0), OfMotion::variable(latest().z[k + 1], 1)},
-                                     {OfMotion::variable(speeds_[k], 2), OfMotion::variable(speeds_[k + 1], 3)},
-                                     OfMotion(w_.joints[joint].kinematics.motion.bearing_spin),
-                                     OfMotion(w_.joints[joint].kinematics.motion.journal_spin)};
-      const JointElement<R>& element = system_.joint_in_plane(joint);
-      const Vector2<OfMotion> force =
-          element.force_on_journal(motion, memory().empty() ? JointMemory<R>() : memory()[joint]);
       for (auto& each : motion_slopes_) each.setZero();
-      motion_slopes_[k] = force.x().derivatives();
-      motion_slopes_[k + 1] = force.y().derivatives();
+      motion_slopes_[k] = force_slopes_[2 * joint];
+      motion_slopes_[k + 1] = force_slopes_[2 * joint + 1];
       reduced_.solve(motion_slopes_.data());
       for (std::size_t i = 0; i < f; ++i) {
         for (std::size_t of = 0; of < 4; ++of)
@@ -239,6 +245,7 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   using Motion::column;
   using Motion::directions;
   using Motion::follow;
+  using Motion::forced_;
   using Motion::free;
   using Motion::functions_;
   using Motion::index;
@@ -266,18 +273,19 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   std::size_t works_begin() const { return places_end_ + n_; }
   const typename In::Memory& memory() const { return std::as_const(ode_).memory(); }  ///< of the joints
 
-  /// z̈ and v̇ at the place of the last follow.
-  void accelerate(const R& t) {
-    if (accelerated_ && memory().empty()) return;
+  /// z̈ and v̇ at the place of the last follow. @param with_slopes  also the forces' slopes, into force_slopes_
+  void accelerate(const R& t, bool with_slopes = false) {
+    if (accelerated_ && forced_ && memory().empty() && !with_slopes) return;
     const std::size_t f = freedoms();
     // A film's eccentricity is a state itself: the difference of two positions would have their rounding, 1e-13 of a
     // clearance at each evaluation anew, and a stiff film would multiply it.
     Motion::forget_if_it_fails([&] {
-      In::apply_forces(system_, t, memory(), w_, [this](std::size_t joint, auto& at) {
+      In::apply_forces(system_, t, memory(), w_, [&](std::size_t joint, auto& at) -> const JointForce<R>* {
         const std::size_t k = function_of_joint_[joint];
-        if (k == not_chosen) return;
+        if (k == not_chosen) return nullptr;
         at.motion.eccentricity = Vector2<R>(latest().z[k], latest().z[k + 1]);
         at.motion.velocity = Vector2<R>(speeds_[k], speeds_[k + 1]);
+        return with_slopes ? force_with_slopes(joint, at.motion) : nullptr;
       });
     });
     R* a = w_.accelerations.data();
@@ -304,7 +312,26 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
       reduced_.solve(accelerations_.data());
       add_along(latest(), accelerations_.data(), a);
     }
-    accelerated_ = true;
+    accelerated_ = forced_ = true;
+  }
+
+  /// The force of a joint, and its slopes into force_slopes_; nullptr where its journal slides.
+  const JointForce<R>* force_with_slopes(std::size_t joint, const JournalMotion<R>& at) {
+    const JointMemory<R> of_joint = memory().empty() ? JointMemory<R>() : memory()[joint];
+    if (of_joint.side == FilmSide::sliding) return nullptr;
+    const auto variable = [](const Vector2<R>& v, int first) {
+      return Vector2<OfMotion>(OfMotion::variable(v.x(), first), OfMotion::variable(v.y(), first + 1));
+    };
+    const JournalMotion<OfMotion> motion{variable(at.eccentricity, 0), variable(at.velocity, 2),
+                                         OfMotion(at.bearing_spin), OfMotion(at.journal_spin)};
+    const JointForce<OfMotion> force = system_.joint_in_plane(joint).force_in_motion(motion, of_joint);
+    const Vector2<OfMotion> total = force.total();
+    force_slopes_[2 * joint] = total.x().derivatives();
+    force_slopes_[2 * joint + 1] = total.y().derivatives();
+    const auto values = [](const Vector2<OfMotion>& v) { return Vector2<R>(v.x().value(), v.y().value()); };
+    known_force_.film = values(force.film);
+    known_force_.contact = {values(force.contact.force), force.contact.couple.value()};
+    return &known_force_;
   }
 
   /// Vᵀ x, x(c) that of velocity c.
@@ -370,7 +397,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
       move_seeded();
       In::place_joints(system_, dual_);
       visit_rows(t, whole, true, [](auto& to, const auto& from) { to.gamma = from.gamma; });
-      In::apply_forces(system_, t, memory(), dual_, [](std::size_t, const auto&) {});
+      In::apply_forces(system_, t, memory(), dual_,
+                       [](std::size_t, const auto&) -> const JointForce<Seeded>* { return nullptr; });
       differentiate_accelerations(whole);
     }
     if (ode_.with_ledger()) {
@@ -491,7 +519,8 @@ class IndependentOde final : public OdeSystem<typename In::R, N>, public Indepen
   std::vector<Seeded> seeded_;
   std::vector<typename In::template Row<Seeded>> seeded_functions_;
   std::vector<Slopes> right_slopes_, slopes_, slopes_work_, v_slopes_, reduced_slopes_;
-  std::vector<typename OfMotion::Derivatives> motion_slopes_;
+  std::vector<typename OfMotion::Derivatives> motion_slopes_, force_slopes_;
+  JointForce<R> known_force_{};  ///< film and contact
   std::vector<Seeded> powers_;
   Full full_;  ///< of a look for kinks
 };

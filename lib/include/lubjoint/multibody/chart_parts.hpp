@@ -36,6 +36,7 @@ class ChartParts {
   struct Part {
     std::vector<std::size_t> rows;         ///< of constraints, then of the functions, which are all free
     std::vector<std::size_t> columns;      ///< numbers of the velocities, as many, in rising order
+    std::vector<std::size_t> components;   ///< of their bodies' velocities, which they are: of x, y, ...
     std::vector<std::size_t> constraints;  ///< that have a row here
     std::vector<std::size_t> bodies;       ///< that have a velocity here, in rising order
     ListedLu<R> lu;                        ///< of the rows and columns as counted here
@@ -252,6 +253,7 @@ class ChartParts {
       for (std::size_t j = 0; j < n_; ++j) {
         if (moved[j] != (part == &free_)) continue;
         part->columns.push_back(j);
+        part->components.push_back(j % Width);
         add_once(part->bodies, j / Width);
       }
     }

@@ -172,9 +172,12 @@ struct JointElement {
   }
 
   /// The same where the journal's motion is known better than the difference of the bodies' positions says.
+  /// @param known  the force there, its kinematics apart, of whoever has it already; or nullptr
   template <class T>
   JointForce<T> force_at(const JointKinematics<T>& at, const PlanarFrame<T>& bearing_body,
-                         const PlanarFrame<T>& journal_body, const JointMemory<R>& memory) const {
+                         const PlanarFrame<T>& journal_body, const JointMemory<R>& memory,
+                         const JointForce<T>* known = nullptr) const {
+    if (known != nullptr) return {at, known->film, known->contact};
     JointForce<T> result{at, Vector2<T>(T(0), T(0)), {Vector2<T>(T(0), T(0)), T(0)}};
     const JournalMotion<T>& motion = result.kinematics.motion;
     add_forces(motion, memory, result, [&] {
@@ -186,13 +189,13 @@ struct JointElement {
     return result;
   }
 
-  /// Force on the journal [N], which does not slide on its film's jump.
+  /// Force on the journal, which does not slide on its film's jump, from its motion alone.
   template <class T>
-  Vector2<T> force_on_journal(const JournalMotion<T>& motion, const JointMemory<R>& memory) const {
+  JointForce<T> force_in_motion(const JournalMotion<T>& motion, const JointMemory<R>& memory) const {
     const Vector2<T> none(T(0), T(0));
     JointForce<T> result{{none, none, motion}, none, {none, T(0)}};
     add_forces(motion, memory, result, [&] { return film_force(motion, memory.side); });
-    return result.total();
+    return result;
   }
 
   /// The journal seen along the line that its memory names.

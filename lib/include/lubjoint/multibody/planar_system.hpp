@@ -140,11 +140,11 @@ class PlanarSystem {
   /// Weights, loads and joints, into forces. @throws FilmDomainError
   template <class T>
   void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w) const {
-    apply_forces(memory, w, [](std::size_t, JointKinematics<T>&) {});
+    apply_forces(memory, w, [](std::size_t, JointKinematics<T>&) -> const JointForce<T>* { return nullptr; });
   }
 
   /// The same with correct(joint, kinematics), which may know the motion of a joint's journal better than the
-  /// difference of its bodies' positions says.
+  /// difference of its bodies' positions says, and returns the force in it (JointForce<T>*) if it has it, or nullptr.
   template <class T, class Correct>
   void apply_forces(const std::vector<JointMemory<R>>& memory, SystemWorkspace<T>& w, const Correct& correct) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -161,8 +161,8 @@ class PlanarSystem {
       const PlanarFrame<T>& bearing_body = frame(joint.bearing_at.body, w);
       const PlanarFrame<T>& journal_body = frame(joint.journal_at.body, w);
       JointKinematics<T> at = joint.kinematics(bearing_body, journal_body);
-      correct(j, at);
-      w.joints[j] = joint.force_at(at, bearing_body, journal_body, memory.empty() ? no_memory : memory[j]);
+      const JointForce<T>* known = correct(j, at);
+      w.joints[j] = joint.force_at(at, bearing_body, journal_body, memory.empty() ? no_memory : memory[j], known);
       const JointForce<T>& force = w.joints[j];
       const JointWrenches<T> wrenches = joint_wrenches(force.kinematics, force.total());
       add(joint.bearing_at.body, wrenches.bearing, T(-force.contact.couple), w);

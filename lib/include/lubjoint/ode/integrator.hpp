@@ -95,7 +95,8 @@ class Integrator {
 
   /// Replaces f at the end of the last step by the method's own derivative there, if it has a better one: in a stiff
   /// system f is what the step left of its error times the largest eigenvalue, and useless between the steps.
-  virtual void refine_end_rate(State&) const {}
+  /// @returns has it?
+  virtual bool end_rate(State&) const { return false; }
 
   /// Gives the last step the motion inside it as the method sees it, if it sees more than the states at its ends and
   /// their rates, which are there. Later steps are the same with it and without.

@@ -56,7 +56,7 @@ class RadauIntegrator final : public Integrator<R, N> {
     another->starts_ = starts_;
     return another;
   }
-  void refine_end_rate(State& rate) const override { stepper_.end_rate(rate); }
+  bool end_rate(State& rate) const override { return stepper_.end_rate(rate); }
   void see_inside(System& system, StepInterpolant<State>& step) override {
     if constexpr (is_of_order_nine_)
       step.has_middle = stepper_.middle(parts_of(system), step.y_middle, step.rate_middle);

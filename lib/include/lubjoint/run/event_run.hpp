@@ -186,7 +186,7 @@ class EventRun {
         if (system_.hold(t, y, false)) {
           method_.replace_state(y);
           system_.equations().rate(y, step_.rate_new, t);
-          method_.refine_end_rate(step_.rate_new);
+          method_.end_rate(step_.rate_new);
           step_.y_new = y;
           method_.see_inside(system_.equations(), step_);
         }
@@ -272,7 +272,7 @@ class EventRun {
     } catch (const std::domain_error&) {
       return false;
     }
-    method_.refine_end_rate(step_.rate_new);
+    method_.end_rate(step_.rate_new);
     method_.see_inside(system_.equations(), step_);
     return true;
   }

@@ -84,14 +84,15 @@ struct SpatialJointElement {
                              const JointMemory<R>& memory, const T& turn = T(0)) const {
     return force_at(kinematics(bearing_body, journal_body), memory, turn);
   }
-  /// The same of known kinematics.
+  /// The same of known kinematics. @param known  as of JointElement::force_at, of a journal that does not slide
   template <class T>
-  SpatialJointForce<T> force_at(const SpatialJointKinematics<T>& at, const JointMemory<R>& memory,
-                                const T& turn = T(0)) const {
+  SpatialJointForce<T> force_at(const SpatialJointKinematics<T>& at, const JointMemory<R>& memory, const T& turn = T(0),
+                                const JointForce<T>* known = nullptr) const {
     SpatialJointForce<T> result{at, {}, T(0)};
     const JournalMotion<T>& seen = result.kinematics.motion;
     const PlanarFrame<T> bearing(ground_motion<T>());
-    result.plane = plane.force(bearing, turned_journal(seen, turn), memory);
+    const PlanarFrame<T> journal = turned_journal(seen, turn);
+    result.plane = plane.force_at(plane.kinematics(bearing, journal), bearing, journal, memory, known);
     if (plane.shear) result.shear_torque = plane.shear_torque(result.plane, memory);
     return result;
   }

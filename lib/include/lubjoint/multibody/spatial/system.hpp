@@ -220,9 +220,11 @@ class SpatialSystem {
   template <class T, class Time>
   void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w,
                     std::size_t body) const {
-    apply_forces(t, memory, w, body, [](std::size_t, const SpatialJointKinematics<T>&) {});
+    apply_forces(t, memory, w, body,
+                 [](std::size_t, const SpatialJointKinematics<T>&) -> const JointForce<T>* { return nullptr; });
   }
-  /// @param correct  correct(j, kinematics) may put better eccentricities and velocities into those of joint j
+  /// @param correct  correct(j, kinematics) may put better eccentricities and velocities into those of joint j, and
+  ///                 returns the force in its plane (JointForce<T>*) if it has it, or nullptr
   /// @param joints_are_placed  has place_joints been called for the frames?
   template <class T, class Time, class Correct>
   void apply_forces(const Time& t, const std::vector<JointMemory<R>>& memory, SpatialWorkspace<T>& w, std::size_t body,
@@ -255,9 +257,9 @@ class SpatialSystem {
       }
       if (!joints_are_placed) w.joints[j].kinematics = joint_kinematics(j, w);
       SpatialJointKinematics<T> at = w.joints[j].kinematics;
-      correct(j, at);
+      const JointForce<T>* known = correct(j, at);
       w.joints[j] = slides ? joint.force_at(at, memory[j], turn_of_joint(t, j, w).angle)
-                           : joint.force_at(at, memory.empty() ? no_memory : memory[j]);
+                           : joint.force_at(at, memory.empty() ? no_memory : memory[j], T(0), known);
       const SpatialWrench<T> on_bearing = w.joints[j].on_bearing();
       const SpatialWrench<T> on_journal = w.joints[j].on_journal();
       add(joint.bearing_at.body, on_bearing.force, on_bearing.moment);
