@@ -125,7 +125,7 @@ void show_measured_scenes(const BenchOptions& options) {
     reports::write_file(*options.readme, reports::with_bench_block(text, reports::scene_bench_markdown(rows)));
     std::cerr << "written: " << options.readme->string() << '\n';
   }
-  std::cout << reports::scene_bench_table(rows);
+  std::cout << "scenes\n" << reports::scene_bench_table(rows);
 }
 
 void bench_scenes(const BenchOptions& options) {
@@ -235,7 +235,7 @@ int run_bench(BenchOptions options) {
   if (options.out) reports::prepare_folder(*options.out);
   for (const BenchTable& table : bench_tables) {
     if (!is_wanted(table, options)) continue;
-    std::cout << table.name << '\n';
+    if (!options.data) std::cout << table.name << '\n';
     table.run(options);
     std::cout << std::endl;
   }

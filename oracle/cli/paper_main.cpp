@@ -1,4 +1,4 @@
-#include "oracle/cli/command_line.hpp"
+#include "oracle/cli/run_program.hpp"
 
 int main(int argc, char** argv) {
   return lubjoint::cli::run_program(argc, argv, [](CLI::App& app, lubjoint::cli::Action& action) {
